@@ -34,6 +34,7 @@ struct Molecule {
   Structure structure;
   Framework framework;
   std::uint64_t fingerprint = 0;  ///< of the structure as read, before its model
+  std::vector<std::string> left_out = {};  ///< by its model
 };
 
 /// The name or file of the bars: "bonds" by default, or the name of the model.

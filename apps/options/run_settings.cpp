@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "options/force_file_input.hpp"
+#include "messages.hpp"
 #include "options/option_fields.hpp"
 #include "output/frame_output.hpp"
 #include "output/output_files.hpp"
@@ -62,6 +63,7 @@ void add_output_options(CommandLine& line, RunSettings& settings) {
                 "read the input, check all options, and write nothing");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
+  add_verbose(line, settings.verbose);
 }
 
 /// The ordering of a file is the technique `input` with another input.

@@ -16,7 +16,9 @@ struct SampledSystem {
   const Framework& framework;
   std::span<const Vec3> start;  ///< (N) Angstrom
   std::size_t contacts = 0;
-  std::vector<std::string> notes = {}, missing = {};  ///< from preparation
+  std::vector<std::string> notes = {}, missing = {}, left_out = {};  ///< from preparation
+  std::size_t placed = 0;                                            ///< atoms placed by rule
+  std::string kinds = {};  ///< of contacts: "54 hydrogen bonds, 4 salt bridges"
 };
 
 /// Prints a table, JSON or nothing.

@@ -106,6 +106,7 @@ class ModelBuilder {
     if (entry_.has_sterics && options_.torsions) take_torsions();
     Framework framework = build_framework(ready_.structure, building_);
     std::vector<Vec3> positions = ready_.structure.positions;
+    const auto placed = static_cast<std::size_t>(std::ranges::count(ready_.origin, no_atom));
     return {options_.kind,
             std::move(ready_.structure),
             std::move(framework),
@@ -113,7 +114,8 @@ class ModelBuilder {
             std::move(contacts_),
             std::move(ready_.steps),
             std::move(ready_.missing),
-            std::move(ready_.left_out)};
+            std::move(ready_.left_out),
+            placed};
   }
 
  private:

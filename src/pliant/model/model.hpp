@@ -69,6 +69,7 @@ struct MolecularModel {
   std::vector<std::string> notes;    ///< what was done and found, one sentence each
   std::vector<std::string> missing;   ///< what the structure lacks
   std::vector<std::string> left_out;  ///< what of the file is not in it: see Preparation
+  std::size_t placed = 0;             ///< atoms placed by rule
 };
 
 /// What a model has left out, as files keep it: "model/left_out".

@@ -114,8 +114,8 @@ class Preparer {
     if (found.out.empty()) return;
     now_.left_out.push_back(
         counted(found.out.size(), "molecule", "molecules") +
-        " of crystallisation: " + counted_names(atoms(), found.out));
-    note("left out: " + now_.left_out.back() + " (--keep all keeps them)");
+        " of crystallisation: " + counted_names(atoms(), found.out) + " (--keep all keeps them)");
+    note("left out: " + now_.left_out.back());
     std::vector<bool> is_out(atoms().residues.size());
     for (std::uint32_t r : found.out) is_out[r] = true;
     take_out([&](std::uint32_t r) { return is_out[r]; });

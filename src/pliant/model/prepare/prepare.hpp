@@ -34,7 +34,7 @@ struct Preparation {
   std::vector<std::uint32_t> origin;
   std::vector<std::string> steps;    ///< what was done, one sentence each, in order
   std::vector<std::string> missing;  ///< what the structure lacks and no rule adds
-  std::vector<std::string> left_out;  ///< "188 waters", "3 molecules of crystallisation: 3 GOL"
+  std::vector<std::string> left_out;  ///< "188 waters", "3 molecules of crystallisation: 3 GOL (...)"
   std::vector<bool> floppy;          ///< (R) residues whose contacts are left out; empty: none
 };
 
