@@ -73,6 +73,7 @@ int command_contacts(const Arguments& arguments) {
       "  pliant run protein.pdb --model protein --contacts contacts.csv");
   ContactsSettings settings;
   add_options(line, settings);
+  line.set_common({"--hbond-cutoff", "--more-contacts", "--select", "--csv", "--json"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
   Messages messages(settings.as_json);

@@ -283,6 +283,7 @@ int command_info(const Arguments& arguments) {
   add_molecule_options(line, options);
   line.start_group("Output");
   line.add_flag("--json", as_json, "print one JSON object");
+  line.set_common({"--assembly", "--select", "--model", "--bars", "--json"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   Messages messages(as_json);
   const Molecule molecule = load(options, messages.log());

@@ -138,6 +138,7 @@ int command_rigidity(const Arguments& arguments) {
   line.set_footer(footer);
   RigiditySettings settings;
   add_options(line, settings);
+  line.set_common({"--dilution", "--hbond-cutoff", "--page", "--output", "--csv"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
   if (settings.overwrite && settings.output.empty() && settings.page.empty())

@@ -27,6 +27,9 @@ examples:
   pliant check ensemble.h5md --no-force-field
 """
 
+#: options that --help shows
+COMMON = ("--frames", "--starts", "--output", "--force-field", "--no-picture")
+
 
 def make_parser() -> console.Parser:
     """The options of pliant check."""
@@ -40,6 +43,7 @@ def make_parser() -> console.Parser:
         "the same way (amber14, implicit water OBC2): may MD start from the frames? That takes\n"
         "about ten minutes for 200 residues on two free cores. OpenMM runs in separate processes.",
         EPILOG,
+        COMMON,
     )
     add = parser.add_argument
     add("file", metavar="FILE", help="H5MD trajectory of pliant run or pliant sample")

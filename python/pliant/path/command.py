@@ -52,6 +52,9 @@ examples:
   pliant analyse closing.h5md
 """
 
+#: options that --help shows
+COMMON = ("--output", "--atoms", "--both", "--backtrack", "--csv")
+
 
 def _row(of: PathFrame | TightPlace, names: Sequence[str]) -> dict[str, Any]:
     return {name: getattr(of, name) for name in names}
@@ -73,6 +76,7 @@ def make_parser() -> console.Parser:
         "Finds a path from one structure of a molecule to another: frames with exact bonds and\n"
         "angles and no overlaps, which keep the contacts that both structures have.",
         EPILOG,
+        COMMON,
     )
     add = parser.add_argument
     add("start", metavar="START", help="PDB or mmCIF file to start from")
@@ -144,6 +148,7 @@ def _facts(path: MolecularPath, output: str) -> dict[str, Any]:
         "tightest": [_row(place, PLACE) for place in path.tight_places()],
         "seconds": path.seconds,
         "notes": path.notes,
+        "left_out": path.model.left_out,
         "frames": [_row(frame, FRAME) for frame in path.frames],
     }
 
@@ -154,29 +159,31 @@ def _print(path: MolecularPath, output: str) -> None:
     for note in path.notes:
         console.note(note)
     what = "arrived" if path.arrived else "did not arrive"
-    print(
-        f"path            {what}: {first.to_end:.2f} A from the end at first, {last.to_end:.2f} now"
-    )
-    print(
-        f"frames          {len(path.frames)}; {path.atoms} of {path.matched} residues, superposed"
-    )
-    print(
-        f"contacts        {path.held} of both structures held, off by {last.held_off:.3f} A at most"
-    )
-    print(f"                {last.lost} of {path.only_start} of the start alone are lost")
-    print(f"                {last.made} of {path.only_end} of the end alone are made")
-    for k, place in enumerate(path.tight_places()):
-        print(
-            f"{'' if k else 'tightest':15s} {place.atoms}: {place.overlap:.3f} A too near in "
-            f"frame {place.step}"
-        )
-    if path.turned:
-        print(f"turned          {path.turned:.0f} degrees, a piece of the molecule as a whole")
-    if path.attempts:
-        print(f"went back       {path.attempts} times")
-    print(f"worst bar       off by {worst:.1e} of its length")
-    print(f"time            {path.seconds:.2f} s")
-    print(f"trajectory      {console.printable_name(output)}")
+    turned = f", turning a piece by {path.turned:.0f} degrees" if path.turned else ""
+    detours = f", after {console.counted(path.attempts, 'detour')}" if path.attempts else ""
+    lines = [
+        ("path", f"{what}: {first.to_end:.2f} A from the end at first, {last.to_end:.2f} now"),
+        ("left out", "; ".join(path.model.left_out)),
+        (
+            "frames",
+            f"{len(path.frames)}; {path.atoms} of {path.matched} residues, superposed"
+            f"{turned}{detours}",
+        ),
+        (
+            "contacts",
+            f"{path.held} of both structures held; {last.lost} of {path.only_start} of the start "
+            f"alone lost, {last.made} of {path.only_end} of the end alone made",
+        ),
+        *(
+            ("tightest", f"{one.atoms}: {one.overlap:.3f} A too near in frame {one.step}")
+            for one in path.tight_places(1)
+        ),
+        ("quality", f"Bonds and angles are off by {worst:.0e} at most."),
+        ("written", f"{console.printable_name(output)}, in {path.seconds:.1f} s"),
+    ]
+    for label, text in lines:
+        if text:
+            print(f"{label:15s} {text}")
     if not path.arrived:
         print("what stands in the way may be contacts, loops, or parts that would pass each other;")
         print("--both and --backtrack try other ways round")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from pliant import _progress
 from pliant._checked import SEED, checked
@@ -36,6 +36,7 @@ def path(
     both: bool = False,
     backtrack: int = 0,
     seed: int = 0,
+    keep: str | Sequence[str] = (),
     output: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
 ) -> MolecularPath:
@@ -59,6 +60,8 @@ def path(
         not kept is not part of the path.
     seed : int
         Of the detours.
+    keep : str or sequence of str
+        Molecules of crystallisation that stay, as for `build_model`.
     output : str or path, optional
         H5MD file to write frames to, or a PDB file with one model for each, when all are made;
         those that there are after Ctrl-C.
@@ -74,7 +77,8 @@ def path(
     FileError
         The output exists or cannot be written.
     """
-    options = PathOptions(atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed)
+    names = keep if isinstance(keep, str) else ",".join(keep)
+    options = PathOptions(atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed, keep=names)
     bar = _progress.begin("path", WHOLE)
     try:
         return find(start, end, options, output, overwrite, bar.show if bar else None)

@@ -150,26 +150,21 @@ def _flexible_table(analysis: Analysis) -> PageTable:
     if analysis.kind == TRANSITION:
         caption = f"{units.what.capitalize()}s that move most on the way"
         return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)"), [row[:2] for row in rows])
-    caption = f"Most flexible {units.what}s"
-    if not found.converged:
-        caption += " (not converged)"
-    return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)", "two errors"), rows)
+    caption = f"Most flexible {units.what}s" + ("" if found.converged else " (not converged)")
+    return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)", ERRORS), rows)
 
 
 def _ligand_table(analysis: Analysis) -> PageTable:
-    """What is no residue of the chains, apart from them."""
     rows = _most_flexible(analysis, ~analysis[Units].ranked)
-    return PageTable(FLEXIBLE, "Ligands", ("ligand", "RMSF (Å)", "two errors"), rows)
+    return PageTable(FLEXIBLE, "Ligands", ("ligand", "RMSF (Å)", ERRORS), rows)
 
 
 def _most_flexible(analysis: Analysis, chosen: np.ndarray) -> list[tuple[str, ...]]:
-    """The units of a mask that fluctuate most."""
     found, units = analysis[UnitFlexibility].found, analysis[Units]
     order = np.argsort(-found.rmsf, kind="stable")
-    return [
-        (units.labels[k], f"{found.rmsf[k]:.3f}", f"± {2 * found.error[k]:.2g}")
-        for k in order[chosen[order]][:8]
-    ]
+    numbers = order[chosen[order]][:8]
+    texts = [(f"{found.rmsf[k]:.3f}", f"± {2 * found.error[k]:.2g}") for k in numbers]
+    return [(units.labels[k], *text) for k, text in zip(numbers, texts, strict=True)]
 
 
 def _domain_table(analysis: Analysis) -> PageTable:
