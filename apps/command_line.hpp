@@ -32,7 +32,8 @@ class CommandLine {
   /// Lists options added from here on under this heading in the help.
   void start_group(const std::string& heading);
 
-  /// Of the options, --help shows these alone; --help-all shows all. Without it both show all.
+  /// Names the options that --help shows, and --help-all does not stop at. Not called, both show
+  /// all.
   void set_common(const std::vector<std::string>& names);
 
   /// Sets `value` when given; with `add_opposite` there is an option that clears it, too.

@@ -24,9 +24,10 @@ Log Messages::log_of_model(const std::string& file, bool verbose) {
   is_brief_ = !verbose;
   if (verbose) return log();
   return {[this, file](Severity severity, std::string_view text) {
-    if (severity == Severity::note) return void(notes_.emplace_back(text));
-    warnings_.emplace_back(text);
-    if (!text.starts_with(file + ":") || ++on_lines_ == 1) say(severity, text);
+    (severity == Severity::warning ? warnings_ : notes_).emplace_back(text);
+    const bool is_on_line = severity == Severity::warning && text.starts_with(file + ":");
+    if (severity == Severity::detail || (is_on_line && ++on_lines_ > 1)) return;
+    say(severity, text);
   }};
 }
 
@@ -35,7 +36,8 @@ void Messages::end_model(const std::vector<std::string>& left_out) {
   if (on_lines_ > 1)
     say(Severity::note,
         fmt::format("{} more warnings on lines of the file; --verbose shows them", on_lines_ - 1));
-  if (!left_out.empty()) say(Severity::note, fmt::format("left out: {}", fmt::join(left_out, "; ")));
+  if (!left_out.empty())
+    say(Severity::note, fmt::format("left out: {}", fmt::join(left_out, "; ")));
 }
 
 void add_verbose(CommandLine& line, bool& verbose) {

@@ -17,8 +17,8 @@ class Messages {
  public:
   explicit Messages(bool quiet) : quiet_(quiet) {}
   Log log();
-  /// The same for reading and preparing `file`: only warnings are printed, and only the first of
-  /// those on lines of the file. With `verbose` all are.
+  /// The same for reading and preparing `file`, without details, and of warnings on lines of the
+  /// file with the first alone. With `verbose` all are printed.
   Log log_of_model(const std::string& file, bool verbose);
   /// Says what a model has left out, and how many warnings on lines were not printed.
   void end_model(const std::vector<std::string>& left_out);

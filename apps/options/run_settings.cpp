@@ -5,8 +5,8 @@
 #include <limits>
 #include <thread>
 
-#include "options/force_file_input.hpp"
 #include "messages.hpp"
+#include "options/force_file_input.hpp"
 #include "options/option_fields.hpp"
 #include "output/frame_output.hpp"
 #include "output/output_files.hpp"

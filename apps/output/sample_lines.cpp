@@ -20,8 +20,8 @@ void print_line(std::string_view label, std::string_view text) {
 
 std::string molecule_text(const SampleSettings& settings, const SampledSystem& system) {
   const AtomTable& atoms = *system.framework.atoms();
-  std::string text = fmt::format("{}: {}", printable_name(settings.molecule.file),
-                                 numbered(atoms.size(), "atom"));
+  std::string text =
+      fmt::format("{}: {}", printable_name(settings.molecule.file), numbered(atoms.size(), "atom"));
   if (atoms.residues.size() > 1) text += " in " + numbered(atoms.residues.size(), "residue");
   if (system.placed > 0)
     text += fmt::format(", {} of them{} placed by rule", system.placed,
@@ -44,9 +44,9 @@ std::string moving_text(const Conformations& found) {
 
 /// "5 frames had to be redrawn, 1 could not be made and is left out".
 std::string draws_text(const SampleSummary& summary) {
-  std::string text = summary.redrawn == 0 ? "No frame had to be redrawn"
-                                          : numbered(std::size_t(summary.redrawn), "frame") +
-                                                " had to be redrawn";
+  std::string text = summary.redrawn == 0
+                         ? "No frame had to be redrawn"
+                         : numbered(std::size_t(summary.redrawn), "frame") + " had to be redrawn";
   if (summary.failed > 0)
     text += fmt::format("; {} could not be made and are left out",
                         numbered(std::size_t(summary.failed), "frame"));
@@ -94,10 +94,10 @@ void print_sample_lines(const SampleSettings& settings, const SampledSystem& sys
   print_line("frames", frames_text(settings, summary));
   print_line("quality", quality_text(summary));
   const bool has_topology = settings.topology != "none";
-  print_line("written", fmt::format("{}{}{}, in {:.1f} s", printable_name(settings.output),
-                                    has_topology ? ", " : "",
-                                    has_topology ? printable_name(settings.topology) : "",
-                                    summary.seconds));
+  print_line(
+      "written",
+      fmt::format("{}{}{}, in {:.1f} s", printable_name(settings.output), has_topology ? ", " : "",
+                  has_topology ? printable_name(settings.topology) : "", summary.seconds));
   print_line("next", next_text(settings.output));
 }
 

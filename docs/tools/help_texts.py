@@ -9,7 +9,8 @@ TEXTS = Path(__file__).resolve().parents[2] / "tests" / "cli" / "help"
 
 INTRODUCTION = """# What --help prints
 
-Command by command: what `--help` prints, and where that is not all, `--help-all`. [Commands](commands.md) says which one is for what.
+Command by command, and `--help-all` where `--help` does not list all options.
+[Commands](commands.md) says which one is for what.
 """
 
 

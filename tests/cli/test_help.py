@@ -66,7 +66,10 @@ def test_help_is_as_committed(page, pliant):
 @pytest.mark.parametrize("name", WITH_MORE)
 def test_help_is_short_and_leads_to_the_rest(name, pliant):
     short, full = (pliant(name, option).out for option in ("--help", "--help-all"))
-    of_short, of_full = (set(re.findall(r"^ +(?:-\w,? ?(?:[A-Z]+, )?)?(--[a-z-]+)", text, re.M)) for text in (short, full))
+    of_short, of_full = (
+        set(re.findall(r"^ +(?:-\w,? ?(?:[A-Z]+, )?)?(--[a-z-]+)", text, re.M))
+        for text in (short, full)
+    )
     assert "--help-all" in of_short
     assert of_short < of_full
     assert len(of_short) <= 9

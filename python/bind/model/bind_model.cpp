@@ -12,7 +12,8 @@ namespace pliant::python {
 namespace {
 
 PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> keep,
-                               std::vector<std::string> protonate, double floppy_below, bool fill_side_chains, bool all_hydrogens) {
+                               std::vector<std::string> protonate, double floppy_below,
+                               bool fill_side_chains, bool all_hydrogens) {
   PrepareOptions options;
   options.all_hydrogens = all_hydrogens;
   options.fill_side_chains = fill_side_chains;
@@ -28,8 +29,8 @@ Preparation prepare_structure(const Structure& structure, bool keep_waters,
                               std::vector<std::string> keep, bool add_hydrogens,
                               std::vector<std::string> protonate, double floppy_below,
                               bool fill_side_chains, bool all_hydrogens) {
-  PrepareOptions options = prepare_options(keep_waters, std::move(keep), std::move(protonate), floppy_below,
-                                           fill_side_chains, all_hydrogens);
+  PrepareOptions options = prepare_options(keep_waters, std::move(keep), std::move(protonate),
+                                           floppy_below, fill_side_chains, all_hydrogens);
   options.add_hydrogens = add_hydrogens;
   const nb::gil_scoped_release no_gil;
   return prepare(structure, options);
@@ -44,16 +45,15 @@ nb::object contacts_of(const Structure& structure, double hbond_cutoff,
 }
 
 MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
-                        std::vector<std::string> keep,
-                        std::vector<std::string> protonate, double floppy_below,
-                        double hbond_cutoff, const nb::object& contacts, const std::string& pin,
-                        bool fill_side_chains, bool all_hydrogens, bool free_torsions,
-                        std::vector<std::string> more_contacts) {
+                        std::vector<std::string> keep, std::vector<std::string> protonate,
+                        double floppy_below, double hbond_cutoff, const nb::object& contacts,
+                        const std::string& pin, bool fill_side_chains, bool all_hydrogens,
+                        bool free_torsions, std::vector<std::string> more_contacts) {
   ModelOptions options;
   options.more_contacts = std::move(more_contacts);
   options.kind = choose(models(), "model", model).kind;
-  options.prepare = prepare_options(keep_waters, std::move(keep), std::move(protonate), floppy_below,
-                                    fill_side_chains, all_hydrogens);
+  options.prepare = prepare_options(keep_waters, std::move(keep), std::move(protonate),
+                                    floppy_below, fill_side_chains, all_hydrogens);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   options.pin = pin;
   options.torsions = !free_torsions;
@@ -174,9 +174,9 @@ void bind_preparation(nb::module_& module) {
       .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.")
       .def_ro("left_out", &Preparation::left_out, "What was taken out, as ``188 waters``.");
   module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
-             "keep"_a = std::vector<std::string>{}, "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
-             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
-             prepare_doc);
+             "keep"_a = std::vector<std::string>{}, "add_hydrogens"_a = true,
+             "protonate"_a = std::vector<std::string>{}, "floppy_below"_a = 0.0,
+             "fill_side_chains"_a = false, "all_hydrogens"_a = false, prepare_doc);
 }
 
 void bind_contact_kinds(nb::module_& module) {
@@ -240,13 +240,14 @@ void bind_model(nb::module_& module) {
                      "numpy.typing.NDArray[numpy.void]"),
              contacts_doc);
   module.def("build_model", &model_of, "structure"_a, "model"_a = "protein", nb::kw_only(),
-             "keep_waters"_a = false, "keep"_a = std::vector<std::string>{}, "protonate"_a = std::vector<std::string>{},
-             "floppy_below"_a = 0.0, "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
-             "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
-             "all_hydrogens"_a = false, "free_torsions"_a = false,
-             "more_contacts"_a = std::vector<std::string>{},
+             "keep_waters"_a = false, "keep"_a = std::vector<std::string>{},
+             "protonate"_a = std::vector<std::string>{}, "floppy_below"_a = 0.0,
+             "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff, "contacts"_a = nb::none(),
+             "pin"_a = "", "fill_side_chains"_a = false, "all_hydrogens"_a = false,
+             "free_torsions"_a = false, "more_contacts"_a = std::vector<std::string>{},
              nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
-                     "keep_waters: bool = False, keep: collections.abc.Sequence[str] = (), protonate: collections.abc.Sequence[str] = (), "
+                     "keep_waters: bool = False, keep: collections.abc.Sequence[str] = (), "
+                     "protonate: collections.abc.Sequence[str] = (), "
                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
                      "fill_side_chains: bool = False, all_hydrogens: bool = False, "

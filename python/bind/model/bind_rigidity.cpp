@@ -46,8 +46,7 @@ ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& 
 
 MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
                              const nb::object& contacts, bool keep_waters,
-                             std::vector<std::string> keep,
-                             std::vector<std::string> protonate,
+                             std::vector<std::string> keep, std::vector<std::string> protonate,
                              std::vector<std::string> more_contacts, const nb::kwargs& more) {
   nb::dict given(more);
   RigidityAsked counting;
@@ -364,8 +363,7 @@ void bind_rigidity(nb::module_& module) {
       rigidity_doc + argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
   module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
              "contacts"_a = nb::none(), "keep_waters"_a = false,
-             "keep"_a = std::vector<std::string>{},
-             "protonate"_a = std::vector<std::string>{},
+             "keep"_a = std::vector<std::string>{}, "protonate"_a = std::vector<std::string>{},
              "more_contacts"_a = std::vector<std::string>{}, "options"_a,
              nb::sig(signature.c_str()), doc.c_str());
 }

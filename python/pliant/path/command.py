@@ -81,7 +81,9 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     add("start", metavar="START", help="PDB or mmCIF file to start from")
     add("end", metavar="END", help="PDB or mmCIF file of the same molecule, to go to")
-    add("-o", "--output", metavar="FILE", required=True, help="H5MD trajectory or PDB file to write")
+    add(
+        "-o", "--output", metavar="FILE", required=True, help="H5MD trajectory or PDB file to write"
+    )
     console.add_rows(parser, path_rows(), {"backtrack": ATTEMPTS})
     add("--csv", metavar="FILE", help="also write the table of frames")
     add("--overwrite", action="store_true", help="replace existing outputs")

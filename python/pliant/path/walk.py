@@ -9,15 +9,7 @@ from collections.abc import Callable, Sequence
 
 from pliant import _progress
 from pliant._checked import SEED, checked
-from pliant._core import (
-    H5mdRecorder,
-    PathEnds,
-    PathOptions,
-    PathWalk,
-    PdbRecorder,
-    Structure,
-    read,
-)
+from pliant._core import H5mdRecorder, PathEnds, PathOptions, PathWalk, PdbRecorder, Structure, read
 from pliant._output_names import is_pdb_name
 from pliant.path.found import MolecularPath
 
@@ -78,7 +70,9 @@ def path(
         The output exists or cannot be written.
     """
     names = keep if isinstance(keep, str) else ",".join(keep)
-    options = PathOptions(atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed, keep=names)
+    options = PathOptions(
+        atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed, keep=names
+    )
     bar = _progress.begin("path", WHOLE)
     try:
         return find(start, end, options, output, overwrite, bar.show if bar else None)

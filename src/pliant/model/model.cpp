@@ -120,7 +120,7 @@ class ModelBuilder {
 
  private:
   void note(std::string line) {
-    options_.log.note(line);
+    options_.log.detail(line);
     ready_.steps.push_back(std::move(line));
   }
 

@@ -66,7 +66,7 @@ struct MolecularModel {
   Framework framework;          ///< bars, limits (group k is contact k), sterics
   std::vector<Vec3> positions;  ///< (N) Angstrom, start; satisfies all limits and least distances
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> notes;    ///< what was done and found, one sentence each
+  std::vector<std::string> notes;     ///< what was done and found, one sentence each
   std::vector<std::string> missing;   ///< what the structure lacks
   std::vector<std::string> left_out;  ///< what of the file is not in it: see Preparation
   std::size_t placed = 0;             ///< atoms placed by rule

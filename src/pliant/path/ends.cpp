@@ -101,7 +101,8 @@ class EndsMatcher {
     const ResiduePairing all = with_ligands(here, there, {ours_.residues, theirs_.residues});
     const MatchedAtoms ours(here, all.ours), theirs(there, all.theirs);
     SharedContacts contacts = share_contacts(whole_.contacts, ours, goal_.contacts, theirs);
-    PathEnds found{.start = side_of(model_with(start, std::move(contacts.ours), model_options(options_)), ours_),
+    PathEnds found{.start = side_of(
+                       model_with(start, std::move(contacts.ours), model_options(options_)), ours_),
                    .end = std::nullopt,
                    .goal = {},
                    .matched = ours_.residues.size(),
@@ -111,7 +112,9 @@ class EndsMatcher {
                    .source_of_end = there.source,
                    .notes = std::move(notes)};
     for (std::uint32_t atom : theirs_.asked) found.goal.push_back(goal_.positions[atom]);
-    if (options_.both) found.end = side_of(model_with(end, std::move(contacts.theirs), model_options(options_)), theirs_);
+    if (options_.both)
+      found.end =
+          side_of(model_with(end, std::move(contacts.theirs), model_options(options_)), theirs_);
     return found;
   }
 

@@ -59,7 +59,7 @@ class Preparer {
     add_hydrogens();
     tell_of_survey(is_backbone_only);
     find_floppy();
-    for (const std::string& line : now_.steps) options_.log.note(line);
+    for (const std::string& line : now_.steps) options_.log.detail(line);
     for (const std::string& line : now_.missing) options_.log.warn(line);
     return std::move(now_);
   }
@@ -112,9 +112,9 @@ class Preparer {
     if (!found.at_metals.empty())
       note("kept at metals: " + listed_residues(atoms(), found.at_metals));
     if (found.out.empty()) return;
-    now_.left_out.push_back(
-        counted(found.out.size(), "molecule", "molecules") +
-        " of crystallisation: " + counted_names(atoms(), found.out) + " (--keep all keeps them)");
+    now_.left_out.push_back(counted(found.out.size(), "molecule", "molecules") +
+                            " of crystallisation: " + counted_names(atoms(), found.out) +
+                            " (--keep all keeps them)");
     note("left out: " + now_.left_out.back());
     std::vector<bool> is_out(atoms().residues.size());
     for (std::uint32_t r : found.out) is_out[r] = true;

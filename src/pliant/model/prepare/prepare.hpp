@@ -34,8 +34,9 @@ struct Preparation {
   std::vector<std::uint32_t> origin;
   std::vector<std::string> steps;    ///< what was done, one sentence each, in order
   std::vector<std::string> missing;  ///< what the structure lacks and no rule adds
-  std::vector<std::string> left_out;  ///< "188 waters", "3 molecules of crystallisation: 3 GOL (...)"
-  std::vector<bool> floppy;          ///< (R) residues whose contacts are left out; empty: none
+  std::vector<std::string>
+      left_out;              ///< "188 waters", "3 molecules of crystallisation: 3 GOL (...)"
+  std::vector<bool> floppy;  ///< (R) residues whose contacts are left out; empty: none
 };
 
 /// A residue with less pLDDT is likely to have no fixed structure (Tunyasuvunakool et al., Nature
@@ -54,8 +55,8 @@ inline constexpr double disordered_below = 50.0;
 ///   protonation according to protonation.hpp; existing hydrogens are kept;
 /// - hydrogens on carbon are placed by rule where a carbon has none, if asked for.
 /// Deterministic; linear in the number of atoms. Throws OptionError for a `keep` that names no
-/// additive and a `protonate` that names no residue or no form of it; InputError naming the structure's file if it has nothing but waters or
-/// CA atoms.
+/// additive and a `protonate` that names no residue or no form of it; InputError naming the
+/// structure's file if it has nothing but waters or CA atoms.
 Preparation prepare(const Structure& structure, const PrepareOptions& options = {});
 
 }  // namespace pliant

@@ -45,8 +45,7 @@ Structure bonded(Structure s) {
 TEST(Additives, AreLeftOutBesideAPolymerAndSaid) {
   const Preparation ready = prepare(bonded(crystal()));
   EXPECT_EQ(ready.structure.atoms.residues.size(), 1U);
-  const std::string said =
-      "3 molecules of crystallisation: 2 DMS, 1 FMT (--keep all keeps them)";
+  const std::string said = "3 molecules of crystallisation: 2 DMS, 1 FMT (--keep all keeps them)";
   EXPECT_THAT(ready.left_out, ElementsAre(said));
   EXPECT_EQ(ready.steps[0], "left out: " + said);
 }
