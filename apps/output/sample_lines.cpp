@@ -19,10 +19,11 @@ void print_line(std::string_view label, std::string_view text) {
 }
 
 std::string molecule_text(const SampleSettings& settings, const SampledSystem& system) {
-  const AtomTable& atoms = *system.framework.atoms();
-  std::string text =
-      fmt::format("{}: {}", printable_name(settings.molecule.file), numbered(atoms.size(), "atom"));
-  if (atoms.residues.size() > 1) text += " in " + numbered(atoms.residues.size(), "residue");
+  const AtomTable* atoms = system.framework.atoms().get();
+  std::string text = fmt::format("{}: {}", printable_name(settings.molecule.file),
+                                 numbered(system.framework.joint_count(), "atom"));
+  if (atoms != nullptr && atoms->residues.size() > 1)
+    text += " in " + numbered(atoms->residues.size(), "residue");
   if (system.placed > 0)
     text += fmt::format(", {} of them{} placed by rule", system.placed,
                         settings.molecule.kind.fill_side_chains ? "" : " hydrogens");
@@ -56,13 +57,12 @@ std::string draws_text(const SampleSummary& summary) {
 std::string frames_text(const SampleSettings& settings, const SampleSummary& summary) {
   std::string text = fmt::format("{}{} by sampler {}", summary.frames,
                                  settings.go_on.empty() ? "" : " added", settings.sample.sampler);
-  if (summary.near_frames > 0 && summary.amplitude_asked > 0.0) {
-    if (summary.near_frames < summary.frames)
-      text += fmt::format("; {} go further, {}", summary.frames - summary.near_frames,
-                          summary.near_frames);
-    text += fmt::format(" reach an amplitude of {:.2f} A of {:.2f} asked (an input)",
+  if (summary.near_frames > 0 && summary.near_frames < summary.frames)
+    text += fmt::format(": {} around the structure, {} that go further", summary.near_frames,
+                        summary.frames - summary.near_frames);
+  if (summary.near_frames > 0 && summary.amplitude_asked > 0.0)
+    text += fmt::format("; amplitude {:.2f} A of {:.2f} asked (an input)",
                         summary.amplitude_reached, summary.amplitude_asked);
-  }
   if (summary.stopped_by_caller) text += "; stopped early, all complete";
   return text;
 }
@@ -91,6 +91,9 @@ void print_sample_lines(const SampleSettings& settings, const SampledSystem& sys
   else if (system.contacts > 0)
     print_line("contacts", fmt::format("{} held{}{}", system.contacts,
                                        system.kinds.empty() ? "" : ": ", system.kinds));
+  if (const auto residues = pocket_of(settings, system); !residues.empty())
+    print_line("pocket", fmt::format("{}: {}", numbered(residues.size(), "residue"),
+                                     fmt::join(residues, ", ")));
   print_line("frames", frames_text(settings, summary));
   print_line("quality", quality_text(summary));
   const bool has_topology = settings.topology != "none";

@@ -83,13 +83,6 @@ std::vector<Json> numbers(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
-/// The residues that frames of sampler pocket open or close.
-std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system) {
-  if (settings.sample.around.empty()) return {};
-  const auto joints = select_joints(system.framework, settings.sample.around, "--around");
-  return pliant::names_of(pocket_around(system.framework, system.start, joints), system.framework);
-}
-
 void print_table(const SampleSettings& settings, const SampledSystem& system,
                  const SampleSummary& summary) {
   fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", system.kind,
@@ -171,6 +164,12 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
 }
 
 }  // namespace
+
+std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system) {
+  if (settings.sample.around.empty()) return {};
+  const auto joints = select_joints(system.framework, settings.sample.around, "--around");
+  return pliant::names_of(pocket_around(system.framework, system.start, joints), system.framework);
+}
 
 void print_sample(const SampleSettings& settings, const SampledSystem& system,
                   const SampleSummary& summary, const std::vector<std::string>& warnings) {

@@ -21,6 +21,9 @@ struct SampledSystem {
   std::string kinds = {};  ///< of contacts: "54 hydrogen bonds, 4 salt bridges"
 };
 
+/// The residues that frames of sampler pocket open or close; none of other samplers.
+std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system);
+
 /// Prints a table, JSON or nothing.
 void print_sample(const SampleSettings& settings, const SampledSystem& system,
                   const SampleSummary& summary, const std::vector<std::string>& warnings);
