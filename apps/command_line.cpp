@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
-#include <limits>
 
+#include "option_wording.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
 
@@ -33,26 +33,6 @@ void expect_name(CLI::Option* option, const std::string& type) {
   option->check([](const std::string& text) -> std::string {
     return text.empty() ? "expected the name of a file, found \"\"" : "";
   });
-}
-
-std::string wording(std::int64_t least, std::int64_t most) {
-  if (most == std::numeric_limits<std::int64_t>::max())
-    return fmt::format("a whole number from {}", least);
-  return fmt::format("a whole number from {} to {}", least, most);
-}
-
-std::string wording(Range range) {
-  switch (range) {
-    case Range::positive:
-      return "a number above 0";
-    case Range::zero_or_more:
-      return "a number from 0";
-    case Range::zero_to_one:
-      return "a number from 0 to 1";
-    case Range::any:
-      break;
-  }
-  return "a number";
 }
 
 /// Numbers fill the whole argument: no blanks around them.
@@ -90,19 +70,46 @@ std::string single_spaced(std::string text) {
 struct CommandLine::Parser {
   CLI::App app;
   std::vector<std::pair<std::string, std::string>> not_required_with = {};
+  std::vector<std::string> common = {};
+
+  std::string help() { return single_spaced(app.help()); }
+
+  /// Shows the common options under one heading, and hides the others.
+  std::string short_help() {
+    if (common.empty()) {
+      app.get_option("--help-all")->group("");
+      return help();
+    }
+    std::size_t hidden = 0;
+    for (CLI::Option* option : app.get_options()) {
+      const bool is_shown = option->get_positional() || option == app.get_help_ptr() ||
+                            option == app.get_help_all_ptr() ||
+                            std::ranges::any_of(common, [&](const std::string& name) {
+                              return option->check_name(name);
+                            });
+      if (!is_shown && !option->get_group().empty()) ++hidden;
+      if (!option->get_positional()) option->group(is_shown ? "Options" : "");
+    }
+    app.get_option("--help-all")
+        ->description(fmt::format("print the text with {} more options and exit", hidden));
+    return help();
+  }
 };
 
 CommandLine::CommandLine(const std::string& command, const std::string& summary)
-    : parser_(new Parser{CLI::App(summary, command), {}}) {
+    : parser_(new Parser{CLI::App(summary, command)}) {
   CLI::App& app = parser_->app;
   app.get_formatter()->column_width(32);
   app.option_defaults()->always_capture_default(false);
   app.set_help_flag("-h,--help", "print this text and exit");
+  app.set_help_all_flag("--help-all", "print all options and exit");
 }
 
 CommandLine::~CommandLine() = default;
 
 void CommandLine::set_footer(const std::string& text) { parser_->app.footer(text); }
+
+void CommandLine::set_common(const std::vector<std::string>& names) { parser_->common = names; }
 
 void CommandLine::start_group(const std::string& heading) {
   parser_->app.option_defaults()->group(heading);
@@ -268,7 +275,10 @@ int CommandLine::parse(const Arguments& arguments) {
     app.parse(reversed);
     return -1;
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", single_spaced(app.help()));
+    fmt::print("{}", parser_->short_help());
+    return exit_ok;
+  } catch (const CLI::CallForAllHelp&) {
+    fmt::print("{}", parser_->help());
     return exit_ok;
   } catch (const CLI::ExtrasError&) {
     fmt::print(stderr, "{}: error: {}\n", app.get_name(), unknown_options(app));

@@ -32,6 +32,10 @@ class CommandLine {
   /// Lists options added from here on under this heading in the help.
   void start_group(const std::string& heading);
 
+  /// Names the options that --help shows, and --help-all does not stop at. Not called, both show
+  /// all.
+  void set_common(const std::vector<std::string>& names);
+
   /// Sets `value` when given; with `add_opposite` there is an option that clears it, too.
   void add_flag(const std::string& name, bool& value, const std::string& help);
   void add_opposite(const std::string& name, bool& value, const std::string& help);

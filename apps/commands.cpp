@@ -17,58 +17,59 @@ namespace pliant::app {
 namespace {
 
 // Headings of the help, and of docs/pages/commands.md.
-constexpr std::string_view ensembles = "make an ensemble";
-constexpr std::string_view reading = "read it";
-constexpr std::string_view structures = "contacts, rigidity and paths";
-constexpr std::string_view files = "files";
-constexpr std::string_view hands = "steer, pull by hand, follow live";
-constexpr std::string_view solvers = "solvers and the thesis";
+constexpr std::string_view moving = "What moves?";
+constexpr std::string_view going = "How does it get there?";
+constexpr std::string_view other = "What else could it look like?";
+constexpr std::string_view live = "Live";
+constexpr std::string_view files = "Files";
+constexpr std::string_view solvers = "Solvers";
+constexpr std::string_view thesis = "The thesis";
 
 constexpr Command commands[] = {
-    {ensembles, "demo",
-     "make a first ensemble, of a helix that comes with Pliant, and say what moves", nullptr},
-    {ensembles, "sample", "make an ensemble of a protein, or conformers of a small molecule",
+    {moving, "sample", "make an ensemble of a protein, or conformers of a small molecule",
      command_sample},
-    {ensembles, "ensemble", "many walkers or frames in shards, on all cores or many machines",
-     nullptr},
-
-    {reading, "analyse", "make an HTML report, figures and tables of a trajectory", nullptr},
-    {reading, "compare", "compare with NMR models, crystal structures or MD", nullptr},
-    {reading, "representatives", "choose a few frames that represent all the others", nullptr},
-    {reading, "check", "check a trajectory with OpenMM: may MD start from it?", nullptr},
-
-    {structures, "contacts", "list what holds a molecule besides its bonds, such as hydrogen bonds",
-     command_contacts},
-    {structures, "rigidity",
+    {moving, "analyse", "make an HTML report, figures and tables of a trajectory", nullptr},
+    {moving, "rigidity",
      "count degrees of freedom: which parts of a molecule are rigid, which flexible",
      command_rigidity},
-    {structures, "path", "find a path from one structure of a molecule to another", nullptr},
+    {moving, "demo", "make a first ensemble, of a helix that comes with Pliant, and say what moves",
+     nullptr},
+
+    {going, "path", "find a path from one structure of a molecule to another", nullptr},
+    {going, "run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
+     command_run},
+
+    {other, "representatives", "choose a few frames that represent all the others", nullptr},
+    {other, "compare", "compare with NMR models, crystal structures or MD", nullptr},
+    {other, "check", "check a trajectory with OpenMM: may MD start from it?", nullptr},
+    {other, "ensemble", "many walkers or frames in shards, on all cores or many machines", nullptr},
+
+    {live, "play", "pull on a molecule by hand, on a page in the browser", nullptr},
+    {live, "watch", "follow a live run in a terminal, over IMD", nullptr},
 
     {files, "info", "list what is in a molecule file, what was guessed and what is missing",
      command_info},
+    {files, "contacts", "list what holds a molecule besides its bonds, such as hydrogen bonds",
+     command_contacts},
     {files, "convert", "write a trajectory as DCD, XTC, TRR, XYZ or PDB", nullptr},
     {files, "recover", "copy whatever can be read of a damaged trajectory", nullptr},
-
-    {hands, "run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
-     command_run},
-    {hands, "play", "pull on a molecule by hand, on a page in the browser", nullptr},
-    {hands, "watch", "follow a live run in a terminal, over IMD", nullptr},
 
     {solvers, "techniques", "list techniques, weightings and perturbations", command_techniques},
     {solvers, "order", "write the order in which a technique visits the bars", command_order},
     {solvers, "forcegen", "write a force file of random pushes", command_forcegen},
-    {solvers, "structgen", "make random graphs of a class, or a test set of all classes",
-     command_structgen},
-    {solvers, "experiment",
-     "compare techniques on random graphs, and judge the claims of the thesis", nullptr},
     {solvers, "bench", "measure time and error of every technique, and of OpenMM", nullptr},
+
+    {thesis, "experiment",
+     "compare techniques on random graphs, and judge the claims of the thesis", nullptr},
+    {thesis, "structgen", "make random graphs of a class, or a test set of all classes",
+     command_structgen},
 };
 
 void print_commands(std::FILE* to) {
   std::string_view group;
   for (const Command& command : commands) {
     if (command.group != group)
-      std::fprintf(to, "\n%.*s:\n", int(command.group.size()), command.group.data());
+      std::fprintf(to, "\n%.*s\n", int(command.group.size()), command.group.data());
     group = command.group;
     std::fprintf(to, "  %-17.*s%.*s\n", int(command.name.size()), command.name.data(),
                  int(command.summary.size()), command.summary.data());
@@ -84,25 +85,15 @@ void print_usage(std::FILE* to) {
   print_commands(to);
   std::fputs(
       "\n"
-      "words:\n"
-      "  joint            a point: an atom, if the input is a molecule\n"
-      "  bar              two joints at a fixed distance: a bond, or the two ends of a bond angle\n"
-      "  residual         how far a bar is from its length; a bar within the tolerance is whole\n"
-      "  technique        a way to resolve broken bars, that is, to make them whole again\n"
-      "  sweep            one visit to all bars, one after another; most techniques make many\n"
-      "  walker           one of several independent copies of a molecule\n"
-      "\n"
-      "pliant NAME also runs a program called pliant-NAME on your PATH.\n"
-      "\n"
       "examples:\n"
       "  pliant info protein.pdb\n"
       "  pliant sample protein.pdb -o out.h5md\n"
       "  pliant analyse out.h5md\n"
       "  pliant compare out.h5md nmr_models.pdb\n"
       "\n"
-      "pliant COMMAND --help explains a command. pliant --completion bash (or zsh, or fish) "
-      "prints\n"
-      "a script that lets your shell complete commands and options.\n",
+      "pliant COMMAND --help explains a command and its usual options, --help-all the others.\n"
+      "pliant --completion bash (or zsh, or fish) prints a script that lets your shell complete\n"
+      "commands and options. pliant NAME also runs a program called pliant-NAME on your PATH.\n",
       to);
 }
 
@@ -139,7 +130,7 @@ int dispatch(const Arguments& words) {
     return exit_usage;
   }
   const std::string& name = words[0];
-  if (name == "--help" || name == "-h" || name == "help") {
+  if (name == "--help" || name == "--help-all" || name == "-h" || name == "help") {
     print_usage(stdout);
     return exit_ok;
   }

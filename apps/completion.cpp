@@ -13,7 +13,7 @@ namespace {
 /// subcommands two blanks after the beginning, below the line "subcommands:". fish has its own
 /// words.
 constexpr std::string_view readers = R"shell(_pliant_options() {
-  "$@" --help 2>/dev/null | sed -nE 's/^  +(-[a-zA-Z][^-]*, *|-[a-zA-Z],)?(--[a-z][a-z-]*).*/\2/p'
+  "$@" --help-all 2>/dev/null | sed -nE 's/^  +(-[a-zA-Z][^-]*, *|-[a-zA-Z],)?(--[a-z][a-z-]*).*/\2/p'
 }
 _pliant_subcommands() {
   "$@" --help 2>/dev/null | sed -nE '/^subcommands:/,/^$/s/^  ([a-z][a-z-]+)  .*/\1/p'
@@ -26,7 +26,7 @@ constexpr std::string_view for_bash = R"shell(# bash completion of pliant: add t
   local word=${COMP_WORDS[COMP_CWORD]} called=("${COMP_WORDS[0]}" "${COMP_WORDS[1]-}")
   COMPREPLY=()
   if ((COMP_CWORD == 1)); then
-    mapfile -t COMPREPLY < <(compgen -W "@COMMANDS@ --help --version --completion" -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W "@COMMANDS@ --help --help-all --version --completion" -- "$word")
     return
   fi
   if [[ $word == -* ]]; then
@@ -79,7 +79,7 @@ function __pliant_options
   if test (count $called) -ge 3; and contains -- $called[3] (__pliant_subcommands)
     set command $called[1..3]
   end
-  $command --help 2>/dev/null | string replace -rf '^  +(?:-[a-zA-Z][^-]*, *|-[a-zA-Z],)?(--[a-z][a-z-]*).*' '$1'
+  $command --help-all 2>/dev/null | string replace -rf '^  +(?:-[a-zA-Z][^-]*, *|-[a-zA-Z],)?(--[a-z][a-z-]*).*' '$1'
 end
 function __pliant_subcommands
   set -l called (commandline -opc)

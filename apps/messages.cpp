@@ -8,12 +8,40 @@
 
 namespace pliant::app {
 
+void Messages::say(Severity severity, std::string_view text) const {
+  const char* word = severity == Severity::warning ? "warning" : "note";
+  if (!quiet_) fmt::print(stderr, "{}: {}\n", word, printable(text));
+}
+
 Log Messages::log() {
   return {[this](Severity severity, std::string_view text) {
-    const bool is_warning = severity == Severity::warning;
-    (is_warning ? warnings_ : notes_).emplace_back(text);
-    if (!quiet_) fmt::print(stderr, "{}: {}\n", is_warning ? "warning" : "note", printable(text));
+    (severity == Severity::warning ? warnings_ : notes_).emplace_back(text);
+    say(severity, text);
   }};
+}
+
+Log Messages::log_of_model(const std::string& file, bool verbose) {
+  is_brief_ = !verbose;
+  if (verbose) return log();
+  return {[this, file](Severity severity, std::string_view text) {
+    (severity == Severity::warning ? warnings_ : notes_).emplace_back(text);
+    const bool is_on_line = severity == Severity::warning && text.starts_with(file + ":");
+    if (severity == Severity::detail || (is_on_line && ++on_lines_ > 1)) return;
+    say(severity, text);
+  }};
+}
+
+void Messages::end_model(const std::vector<std::string>& left_out) {
+  if (!is_brief_) return;
+  if (on_lines_ > 1)
+    say(Severity::note,
+        fmt::format("{} more warnings on lines of the file; --verbose shows them", on_lines_ - 1));
+  if (!left_out.empty())
+    say(Severity::note, fmt::format("left out: {}", fmt::join(left_out, "; ")));
+}
+
+void add_verbose(CommandLine& line, bool& verbose) {
+  line.add_flag("--verbose", verbose, "print all that was done and found on the way");
 }
 
 ProgressBar::ProgressBar(std::int64_t total, std::string unit, bool quiet)

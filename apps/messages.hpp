@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
 #include "pliant/base/log.hpp"
 
 namespace pliant::app {
@@ -16,13 +17,25 @@ class Messages {
  public:
   explicit Messages(bool quiet) : quiet_(quiet) {}
   Log log();
+  /// The same for reading and preparing `file`, without details, and of warnings on lines of the
+  /// file with the first alone. With `verbose` all are printed.
+  Log log_of_model(const std::string& file, bool verbose);
+  /// Says what a model has left out, and how many warnings on lines were not printed.
+  void end_model(const std::vector<std::string>& left_out);
   const std::vector<std::string>& notes() const { return notes_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
+  void say(Severity severity, std::string_view text) const;
+
   bool quiet_;
+  bool is_brief_ = false;
+  std::size_t on_lines_ = 0;  ///< warnings on lines of the file
   std::vector<std::string> notes_, warnings_;
 };
+
+/// Adds the option of commands that print little without it.
+void add_verbose(CommandLine& line, bool& verbose);
 
 /// "[#####-----] 512 / 1000 steps, 3 s left", redrawn in place. Only on a terminal, and only after
 /// a second.

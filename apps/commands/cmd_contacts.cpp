@@ -15,7 +15,7 @@ namespace {
 
 struct ContactsSettings {
   MoleculeOptions molecule;
-  bool as_csv = false, as_json = false;
+  bool as_csv = false, as_json = false, verbose = false;
 };
 
 void add_options(CommandLine& line, ContactsSettings& settings) {
@@ -25,6 +25,7 @@ void add_options(CommandLine& line, ContactsSettings& settings) {
   line.add_flag("--csv", settings.as_csv, "print a table that --contacts reads back");
   line.add_flag("--json", settings.as_json,
                 "print one JSON object, which --contacts reads back as well");
+  add_verbose(line, settings.verbose);
 }
 
 /// A row of the table; the middle one is the hydrogen.
@@ -72,12 +73,14 @@ int command_contacts(const Arguments& arguments) {
       "  pliant run protein.pdb --model protein --contacts contacts.csv");
   ContactsSettings settings;
   add_options(line, settings);
+  line.set_common({"--hbond-cutoff", "--more-contacts", "--select", "--csv", "--json"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
   Messages messages(settings.as_json);
-  const Log log = messages.log();
+  const Log log = messages.log_of_model(settings.molecule.file, settings.verbose);
   const MolecularModel model =
       build_model(read(settings.molecule, log), model_options_of(settings.molecule.kind, log));
+  messages.end_model(model.left_out);
   if (settings.as_csv) {
     fmt::print("{}", contacts_as_csv(model.contacts, model.structure));
   } else if (settings.as_json) {

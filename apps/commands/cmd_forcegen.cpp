@@ -90,6 +90,7 @@ int command_forcegen(const Arguments& arguments) {
       "  pliant run graph.xml --forces forces.txt --technique bfs_cycle");
   ForcegenSettings settings;
   add_options(line, settings);
+  line.set_common({"--count", "--force", "--seed", "--model", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.output.empty()) settings.output = default_output(settings.molecule.file);
   refuse_same_files(inputs_of(settings.molecule), {settings.output});

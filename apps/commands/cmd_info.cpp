@@ -12,6 +12,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/framework/graph.hpp"
+#include "pliant/model/prepare/additives.hpp"
 #include "pliant/model/prepare/survey.hpp"
 #include "pliant/molecule/planar_groups.hpp"
 
@@ -22,6 +23,9 @@ namespace {
 std::vector<std::string> found_lines(const Structure& structure, const Survey& found) {
   std::vector<std::string> lines = found_parts(structure, found);
   if (found.waters > 0) lines.insert(lines.begin(), fmt::format("waters: {}", found.waters));
+  if (const Additives additives = find_additives(structure, {}); !additives.out.empty())
+    lines.push_back(fmt::format("molecules of crystallisation, which models leave out: {}",
+                                counted_names(structure.atoms, additives.out)));
   return lines;
 }
 
@@ -283,6 +287,7 @@ int command_info(const Arguments& arguments) {
   add_molecule_options(line, options);
   line.start_group("Output");
   line.add_flag("--json", as_json, "print one JSON object");
+  line.set_common({"--assembly", "--select", "--model", "--bars", "--json"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   Messages messages(as_json);
   const Molecule molecule = load(options, messages.log());

@@ -76,6 +76,7 @@ int command_order(const Arguments& arguments) {
       "  pliant order graph.xml -o ordering.txt && pliant run graph.xml --ordering ordering.txt");
   OrderSettings settings;
   add_options(line, settings);
+  line.set_common({"--ordering", "--root", "--seed", "--output", "--overwrite"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   refuse_same_files(inputs_of(settings.molecule), {settings.output});
   Messages messages(settings.json);

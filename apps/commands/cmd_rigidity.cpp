@@ -24,7 +24,7 @@ struct RigiditySettings {
   MoleculeOptions molecule;
   RigidityAsked counting;
   std::string output, page;
-  bool dilution = false, overwrite = false, as_csv = false, as_json = false;
+  bool dilution = false, overwrite = false, as_csv = false, as_json = false, verbose = false;
 };
 
 /// "hydrogen bond 5", one kind a line.
@@ -80,6 +80,7 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
   line.add_flag("--csv", settings.as_csv,
                 "print a table of residues, or with --dilution of the hydrogen bonds removed");
   line.add_flag("--json", settings.as_json, "print one JSON object with all that was found");
+  add_verbose(line, settings.verbose);
 }
 
 void refuse_input_as_output(const RigiditySettings& settings) {
@@ -115,15 +116,17 @@ int write_page(const std::string& program, const RigiditySettings& settings,
   return run_with_input(program, arguments, json_for_page(report).text());
 }
 
-RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
+RigidityReport report_of(const RigiditySettings& settings, Messages& messages) {
+  const Log log = messages.log_of_model(settings.molecule.file, settings.verbose);
   RigidityReport report{find_rigidity(contact_model(read(settings.molecule, log),
                                                     model_options_of(settings.molecule.kind, log)),
                                       settings.counting),
                         settings.molecule.file,
                         {},
                         {}};
+  messages.end_model(report.model.left_out);
   if (const std::string note = note_on_rings_of_six(report.rigidity.rings_of_six); !note.empty())
-    log.note(note);
+    messages.log().note(note);
   if (settings.dilution) dilute(report);
   return report;
 }
@@ -135,6 +138,7 @@ int command_rigidity(const Arguments& arguments) {
   line.set_footer(footer);
   RigiditySettings settings;
   add_options(line, settings);
+  line.set_common({"--dilution", "--hbond-cutoff", "--page", "--output", "--csv"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
   if (settings.overwrite && settings.output.empty() && settings.page.empty())
@@ -142,7 +146,7 @@ int command_rigidity(const Arguments& arguments) {
   refuse_input_as_output(settings);
   const std::string program = page_program(settings);
   Messages messages(settings.as_json);
-  const RigidityReport report = report_of(settings, messages.log());
+  const RigidityReport report = report_of(settings, messages);
   if (!settings.output.empty())
     write_rigidity_folder(settings.output, report, settings.overwrite, messages.log());
   if (!program.empty())

@@ -129,12 +129,15 @@ int command_run(const Arguments& arguments) {
   line.set_footer(footer);
   RunSettings settings;
   add_run_options(line, settings);
+  line.set_common({"--model", "--steps", "--pull", "--pair-distance", "--rock", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (!settings.go_on.empty()) return continue_run(line, settings);
   const bool asks_for_topology = !settings.topology.empty();
   take_names(line, settings);
   Messages messages(settings.json || settings.quiet);
-  const Molecule molecule = load(settings.molecule, messages.log());
+  const Molecule molecule =
+      load(settings.molecule, messages.log_of_model(settings.molecule.file, settings.verbose));
+  messages.end_model(molecule.left_out);
   tell_what_is_free(settings.molecule, molecule.structure, messages.log());
   check_force_header(settings, molecule, messages.log());
   complete(line, settings, molecule);

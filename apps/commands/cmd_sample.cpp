@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pliant sample: an ensemble of what a molecule can do. A molecule in, an H5MD trajectory out.
+#include <algorithm>
 #include <filesystem>
 
 #include "command.hpp"
@@ -28,6 +29,7 @@ struct PlannedSample {
 H5mdHeader header_of(const SampleSettings& settings, const PlannedSample& planned) {
   H5mdHeader header = molecule_header(planned.model.structure);
   header.parameters = parameters_of(settings);
+  header.parameters.push_back(left_out_of(planned.model));
   header.inputs = sample_inputs(planned.task.start(), planned.task.nodes());
   return header;
 }
@@ -78,6 +80,18 @@ SampleSummary sample_to_file(const SampleSettings& settings, const PlannedSample
   return summary;
 }
 
+/// "54 hydrogen bonds, 4 salt bridges".
+std::string counted_kinds(const std::vector<MolecularContact>& contacts) {
+  std::string text;
+  for (const MolecularContactKindEntry& row : molecular_contact_kinds()) {
+    const auto count = std::ranges::count(contacts, row.kind, &MolecularContact::kind);
+    if (count == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " ";
+    text += count == 1 ? row.singular : row.plural;
+  }
+  return text;
+}
+
 SampledSystem system_of(const PlannedSample& planned) {
   const MolecularModel& model = planned.model;
   return {entry(model.kind).name,
@@ -85,7 +99,10 @@ SampledSystem system_of(const PlannedSample& planned) {
           model.positions,
           model.contacts.size(),
           model.notes,
-          model.missing};
+          model.missing,
+          model.left_out,
+          model.placed,
+          counted_kinds(model.contacts)};
 }
 
 }  // namespace
@@ -110,6 +127,7 @@ int command_sample(const Arguments& arguments) {
       "is left out, 130 ended early by Ctrl-C, with all frames complete.");
   SampleSettings settings;
   add_sample_options(line, settings);
+  line.set_common({"--frames", "--amplitude", "--continue", "--select", "--keep", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (!settings.go_on.empty()) return continue_sample(line, settings);
   Messages messages(settings.json || settings.quiet);
@@ -118,7 +136,9 @@ int command_sample(const Arguments& arguments) {
   check_outputs(settings);
   settings.record.log = messages.log();
   settings.sample.log = messages.log();
-  const MolecularModel model = load_model(settings, messages.log());
+  const MolecularModel model =
+      load_model(settings, messages.log_of_model(settings.molecule.file, settings.verbose));
+  messages.end_model({});  // the report says what is left out
   const SampleTask task(subject_of(model), asked_of(settings, model, messages.log()));
   settings.sample = task.options();
   settings.record.saved = select_joints(task.framework(), settings.save, "--save");

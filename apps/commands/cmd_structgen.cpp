@@ -83,6 +83,7 @@ int command_structgen(const Arguments& arguments) {
       "all. Every graph is checked to belong to its class. The same seed makes the same files.");
   StructgenSettings settings;
   add_structgen_options(line, settings);
+  line.set_common({"--number", "--seed", "--joints", "--test-set", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   complete(line, settings);
   settings.directory.empty() ? write_one(settings) : write_set(settings);

@@ -109,8 +109,10 @@ int continue_sample(const CommandLine& line, SampleSettings& settings) {
     messages.log().note(
         fmt::format("{} has all of its {} frames; --frames N goes on up to N in all",
                     from.path.string(), from.steps));
-  const SampledSystem system{recorded_text(from, "model/kind"), from.framework, from.inputs.start,
-                             LimitCounter(from.framework.limits()).size()};
+  SampledSystem system{recorded_text(from, "model/kind"), from.framework, from.inputs.start,
+                       LimitCounter(from.framework.limits()).size()};
+  if (std::string left_out = recorded_text(from, "model/left_out"); !left_out.empty())
+    system.left_out.push_back(std::move(left_out));
   print_sample(settings, system, summary, messages.warnings());
   return exit_code_of(summary);
 }

@@ -33,6 +33,8 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
   line.add_names("--more-contacts", settings.more_contacts, "",
                  "find contacts of these kinds besides the usual ones:" + unusual_contacts());
   line.add_flag("--keep-waters", settings.keep_waters, "do not remove waters");
+  line.add_names("--keep", settings.keep, "",
+                 "do not leave out these molecules of crystallisation, such as GOL,SO4, or all");
   line.add_flag("--fill-side-chains", settings.fill_side_chains,
                 "build missing side-chain atoms by rule (a guess: the data does not show them)");
   line.add_flag("--all-hydrogens", settings.all_hydrogens,
@@ -61,6 +63,7 @@ void check(const ModelSettings& settings) {
   if (model == nullptr || !model->is_prepared) {
     const char* expected = "--model molecule or --model protein";
     refuse(settings.keep_waters, "--keep-waters", expected);
+    refuse(!settings.keep.empty(), "--keep", expected);
     refuse(settings.fill_side_chains, "--fill-side-chains", expected);
     refuse(settings.all_hydrogens, "--all-hydrogens", expected);
     refuse(settings.free_torsions, "--free-torsions", expected);
@@ -79,6 +82,7 @@ std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
   return {{"model/kind", settings.name},
           {"model/hbond_cutoff", settings.hbond_cutoff},
           {"model/keep_waters", settings.keep_waters},
+          {"model/keep", comma_separated(settings.keep)},
           {"model/fill_side_chains", settings.fill_side_chains},
           {"model/all_hydrogens", settings.all_hydrogens},
           {"model/protonate", comma_separated(settings.protonate)},
@@ -91,6 +95,7 @@ ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
   ModelOptions options;
   if (!settings.name.empty()) options.kind = choose(models(), "model", settings.name).kind;
   options.prepare.keep_waters = settings.keep_waters;
+  options.prepare.keep = settings.keep;
   options.prepare.fill_side_chains = settings.fill_side_chains;
   options.prepare.all_hydrogens = settings.all_hydrogens;
   options.prepare.protonate = settings.protonate;

@@ -17,7 +17,7 @@ struct ModelSettings {
   bool keep_waters = false, fill_side_chains = false, all_hydrogens = false, floppy = false;
   bool has_torsions = false;  ///< the command uses torsion preferences
   bool free_torsions = false;
-  std::vector<std::string> protonate;
+  std::vector<std::string> keep, protonate;
   std::string contacts;                    ///< file of contacts; "": they are searched for
   std::vector<std::string> more_contacts;  ///< kinds that are not usual
 };

@@ -32,6 +32,7 @@ constexpr MoleculeField table[] = {
      .is_file = true},
     {"more_contacts", "--more-contacts", of_kind<&ModelSettings::more_contacts>},
     {"keep_waters", "--keep-waters", of_kind<&ModelSettings::keep_waters>},
+    {"keep", "--keep", of_kind<&ModelSettings::keep>},
     {"fill_side_chains", "--fill-side-chains", of_kind<&ModelSettings::fill_side_chains>},
     {"all_hydrogens", "--all-hydrogens", of_kind<&ModelSettings::all_hydrogens>},
     {"protonate", "--protonate", of_kind<&ModelSettings::protonate>},

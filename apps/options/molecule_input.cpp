@@ -71,7 +71,7 @@ Molecule load_model(const MoleculeOptions& options, const Structure& structure, 
   building.may_be_cut = options.may_be_cut;
   MolecularModel model = build_model(structure, building);
   return {std::move(model.structure), std::move(model.framework),
-          fingerprint(structure.atoms, structure.positions)};
+          fingerprint(structure.atoms, structure.positions), std::move(model.left_out)};
 }
 
 bool is_graph(const MoleculeOptions& options) {

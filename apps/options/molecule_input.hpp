@@ -33,7 +33,8 @@ struct MoleculeOptions {
 struct Molecule {
   Structure structure;
   Framework framework;
-  std::uint64_t fingerprint = 0;  ///< of the structure as read, before its model
+  std::uint64_t fingerprint = 0;           ///< of the structure as read, before its model
+  std::vector<std::string> left_out = {};  ///< by its model
 };
 
 /// The name or file of the bars: "bonds" by default, or the name of the model.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <thread>
 
+#include "messages.hpp"
 #include "options/force_file_input.hpp"
 #include "options/option_fields.hpp"
 #include "output/frame_output.hpp"
@@ -62,6 +63,7 @@ void add_output_options(CommandLine& line, RunSettings& settings) {
                 "read the input, check all options, and write nothing");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
+  add_verbose(line, settings.verbose);
 }
 
 /// The ordering of a file is the technique `input` with another input.

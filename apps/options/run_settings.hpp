@@ -44,6 +44,7 @@ struct RunSettings {
   bool dry_run = false;
   bool json = false;
   bool quiet = false;
+  bool verbose = false;
 };
 
 void add_run_options(CommandLine& line, RunSettings& settings);

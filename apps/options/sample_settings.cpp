@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "messages.hpp"
 #include "options/option_fields.hpp"
 #include "output/frame_output.hpp"
 #include "output/output_files.hpp"
@@ -71,6 +72,7 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
                 "read the input, check all options, and write nothing");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
+  add_verbose(line, settings.verbose);
 }
 
 /// What was asked for, in one way of writing: for files, and to compare with what they hold.

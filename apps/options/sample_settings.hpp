@@ -29,6 +29,7 @@ struct SampleSettings {
   bool dry_run = false;
   bool json = false;
   bool quiet = false;
+  bool verbose = false;
 };
 
 void add_sample_options(CommandLine& line, SampleSettings& settings);

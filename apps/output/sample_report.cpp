@@ -4,54 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "command.hpp"
+#include "output/conformations.hpp"
 #include "output/json.hpp"
+#include "output/sample_lines.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/molecule/selection.hpp"
-#include "pliant/sample/conformers/torsion_moves.hpp"
 #include "pliant/sample/pocket/pocket.hpp"
-#include "pliant/sample/samplers.hpp"
 
 namespace pliant::app {
 namespace {
-
-/// What moves in conformers, by name.
-struct Conformations {
-  std::vector<std::string> rotors, rings, rigid_rings, amines, amides;
-  std::size_t loop_bodies = 0;
-  bool are_loops_drawn = true;
-};
-
-std::string names_of(const Framework& framework, const std::vector<Joint>& atoms) {
-  std::string names;
-  for (Joint atom : atoms) names += (names.empty() ? "" : " ") + framework.label(atom);
-  return names;
-}
-
-/// Nothing for a sampler that goes along modes.
-std::optional<Conformations> conformations_of(const SampleSettings& settings,
-                                              const SampledSystem& system) {
-  if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
-  const Framework& framework = system.framework;
-  const auto plan = conformer_plan(framework, system.start);
-  if (!plan) return std::nullopt;
-  const TorsionMoves moves(framework, *plan, system.start);
-  Conformations found{{}, {}, {}, {}, {}, moves.loop_bodies(), moves.bent() == nullptr};
-  for (const Rotor& rotor : moves.rotors())
-    found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));
-  for (const FlexibleRing& ring : moves.rings()) {
-    const std::string forms = std::to_string(ring.forms.size());
-    found.rings.push_back(names_of(framework, ring.atoms) + " (" + forms + " forms)");
-  }
-  for (const std::vector<Joint>& ring : moves.rigid_rings())
-    found.rigid_rings.push_back(names_of(framework, ring));
-  for (const Amine& amine : moves.amines()) found.amines.push_back(framework.label(amine.nitrogen));
-  for (const AmideTurn& amide : moves.amides())
-    found.amides.push_back(framework.label(Bar{amide.carbon, amide.nitrogen}));
-  return found;
-}
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
@@ -118,13 +81,6 @@ double mean_of(const std::vector<double>& values) {
 
 std::vector<Json> numbers(const std::vector<double>& values) {
   return {values.begin(), values.end()};
-}
-
-/// The residues that frames of sampler pocket open or close.
-std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system) {
-  if (settings.sample.around.empty()) return {};
-  const auto joints = select_joints(system.framework, settings.sample.around, "--around");
-  return pliant::names_of(pocket_around(system.framework, system.start, joints), system.framework);
 }
 
 void print_table(const SampleSettings& settings, const SampledSystem& system,
@@ -202,18 +158,25 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"cpu_ms_per_frame", ms_a_frame(summary)},
                   {"notes", system.notes},
                   {"missing", system.missing},
+                  {"left_out", system.left_out},
                   {"warnings", warnings}};
   print_json(json);
 }
 
 }  // namespace
 
+std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system) {
+  if (settings.sample.around.empty()) return {};
+  const auto joints = select_joints(system.framework, settings.sample.around, "--around");
+  return pliant::names_of(pocket_around(system.framework, system.start, joints), system.framework);
+}
+
 void print_sample(const SampleSettings& settings, const SampledSystem& system,
                   const SampleSummary& summary, const std::vector<std::string>& warnings) {
   if (settings.json) {
     print_json_of(settings, system, summary, warnings);
   } else if (!settings.quiet) {
-    print_table(settings, system, summary);
+    (settings.verbose ? print_table : print_sample_lines)(settings, system, summary);
   }
 }
 

@@ -16,8 +16,13 @@ struct SampledSystem {
   const Framework& framework;
   std::span<const Vec3> start;  ///< (N) Angstrom
   std::size_t contacts = 0;
-  std::vector<std::string> notes = {}, missing = {};  ///< from preparation
+  std::vector<std::string> notes = {}, missing = {}, left_out = {};  ///< from preparation
+  std::size_t placed = 0;                                            ///< atoms placed by rule
+  std::string kinds = {};  ///< of contacts: "54 hydrogen bonds, 4 salt bridges"
 };
+
+/// The residues that frames of sampler pocket open or close; none of other samplers.
+std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system);
 
 /// Prints a table, JSON or nothing.
 void print_sample(const SampleSettings& settings, const SampledSystem& system,

@@ -9,7 +9,8 @@ TEXTS = Path(__file__).resolve().parents[2] / "tests" / "cli" / "help"
 
 INTRODUCTION = """# What --help prints
 
-Command by command. [Commands](commands.md) says which one is for what.
+Command by command, and `--help-all` where `--help` does not list all options.
+[Commands](commands.md) says which one is for what.
 """
 
 
@@ -21,5 +22,5 @@ def page() -> str:
 
 def _section(path: Path) -> str:
     name = path.name.removesuffix(".help.txt").replace("-", " ", 1).replace("bench-", "bench ")
-    name = name.replace("experiment-", "experiment ")
+    name = name.replace("experiment-", "experiment ").replace("-all", " --help-all")
     return f"## {name}\n\n```text\n{path.read_text().rstrip()}\n```\n"

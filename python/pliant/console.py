@@ -43,10 +43,26 @@ def command_path() -> str:
     return found
 
 
-class Parser(argparse.ArgumentParser):
-    """An argument parser that reads as the subcommands in C++ do: errors in one line, exit 2."""
+class _HelpOfAll(argparse.Action):
+    """Prints the help with every option."""
 
-    def __init__(self, command: str, description: str, epilog: str = "") -> None:
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> NoReturn:
+        assert isinstance(parser, Parser)
+        parser.common = ()
+        parser.print_help()
+        parser.exit()
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that reads as the subcommands in C++ do: errors in one line, exit 2.
+
+    Of the options, --help shows those in `common` alone, if any are; --help-all shows all.
+    """
+
+    def __init__(
+        self, command: str, description: str, epilog: str = "", common: Sequence[str] = ()
+    ) -> None:
+        self.common: Sequence[str] = ()  # until its own --help is there
         super().__init__(
             prog=f"pliant {command}",
             description=description,
@@ -54,6 +70,38 @@ class Parser(argparse.ArgumentParser):
             formatter_class=argparse.RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )
+        self.common = common
+        text = "show all options and exit" if common else argparse.SUPPRESS
+        self.add_argument("--help-all", action=_HelpOfAll, nargs=0, help=text)
+
+    def format_help(self) -> str:
+        """The text, of the common options alone where there are some."""
+        shown = {"--help", "--help-all", *self.common}
+        rest = [one for one in self._actions if not shown.intersection(one.option_strings)]
+        rest = [one for one in rest if self.common and one.option_strings]
+        texts, usage = [one.help for one in rest], self.usage
+        for one in rest:
+            one.help = argparse.SUPPRESS
+        if rest and usage is None:
+            self.usage = self._short_usage()
+        try:
+            text = super().format_help()
+        finally:
+            self.usage = usage
+            for one, help_text in zip(rest, texts, strict=True):
+                one.help = help_text
+        return text
+
+    def _short_usage(self) -> str:
+        """With the places and the options that must be given."""
+        words = [self.prog]
+        for one in self._actions:
+            if not one.option_strings:
+                name = str(one.metavar or one.dest)
+                words.append(f"[{name}]" if one.nargs == "?" else name)
+        needed = [one for one in self._actions if one.option_strings and one.required]
+        words += [f"{one.option_strings[0]} {one.metavar or one.dest.upper()}" for one in needed]
+        return " ".join([*words, "[OPTIONS]"]).replace("%", "%%")
 
     def error(self, message: str) -> NoReturn:
         """Prints the one-line error and ends with exit code 2."""
@@ -150,8 +198,10 @@ def add_rows(
             how |= {"metavar": "N", "type": whole_number(row.get("least", 0), most=most)}
         elif row["type"] == "float":
             how |= {"metavar": "X", "type": positive_number}
-        else:
+        elif "choices" in row:
             how["choices"] = row["choices"]
+        else:
+            how["metavar"], hint = row.get("kind", "TEXT"), ""
         text = row["help"] + (f" ({hint})" if hint else "")
         parser.add_argument("--" + row["name"].replace("_", "-"), help=text, **how)
 

@@ -27,6 +27,7 @@
 #include "pliant/molecule/bonds/bond_options.hpp"        // how bonds are perceived
 #include "pliant/molecule/bonds/bonds.hpp"               // bond perception
 #include "pliant/molecule/build_framework.hpp"           // bonds or angles to bars
+#include "pliant/molecule/crystal_additives.hpp"         // names of what crystals are grown from
 #include "pliant/molecule/read/read.hpp"                 // PDB, mmCIF, XYZ, SDF
 #include "pliant/molecule/read/shared/read_options.hpp"  // which model, which assembly
 #include "pliant/molecule/sterics_lines.hpp"             // the sterics of such a text

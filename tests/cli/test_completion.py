@@ -67,7 +67,7 @@ def test_bash_completes_subcommands(command):
 
 
 def test_every_option_of_a_help_is_offered(command):
-    text = subprocess.run([command, "run", "--help"], capture_output=True, text=True).stdout
+    text = subprocess.run([command, "run", "--help-all"], capture_output=True, text=True).stdout
     lines = [line for line in text.splitlines() if line.startswith("  -")]
     words = [word for line in lines for word in line.split()[0].split(",")]
     options = {word for word in words if word.startswith("--")}

@@ -85,7 +85,7 @@ def test_contacts_are_those_of_the_whole(pliant, cut):
 
 @pytest.mark.long
 def test_a_protein_of_md_with_all_its_water_is_sampled(pliant, tmp_path):
-    ended = pliant("sample", IN_WATER, "--frames", "2", "-o", "out.h5md")
+    ended = pliant("sample", IN_WATER, "--frames", "2", "-o", "out.h5md", "--verbose")
     assert ended.code == 0, ended.err
     assert (
         "adk_oplsaa.pdb: 1 molecule cut by the periodic cell made whole (MET1:N to GLY214:O2): "

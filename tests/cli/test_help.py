@@ -5,6 +5,7 @@ After a change that is meant: PLIANT_UPDATE_HELP=1 pytest tests/cli/test_help.py
 """
 
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -44,6 +45,12 @@ PAGES = {
     "pliant-bench-coverage": ["bench", "coverage", "--help"],
     "pliant-bench-domains": ["bench", "domains", "--help"],
 }
+#: whose --help shows a part of their options
+WITH_MORE = (
+    *("analyse", "check", "contacts", "ensemble", "experiment", "forcegen", "info", "order"),
+    *("path", "representatives", "rigidity", "run", "sample", "structgen"),
+)
+PAGES |= {f"pliant-{name}-all": [name, "--help-all"] for name in WITH_MORE}
 
 
 @pytest.mark.parametrize("page", PAGES)
@@ -55,3 +62,20 @@ def test_help_is_as_committed(page, pliant):
     if os.environ.get("PLIANT_UPDATE_HELP"):
         path.write_text(ended.out)
     assert ended.out == path.read_text()
+
+
+@pytest.mark.parametrize("name", WITH_MORE)
+def test_help_is_short_and_leads_to_the_rest(name, pliant):
+    short, full = (pliant(name, option).out for option in ("--help", "--help-all"))
+    of_short, of_full = (
+        set(re.findall(r"^ +(?:-\w,? ?(?:[A-Z]+, )?)?(--[a-z-]+)", text, re.M))
+        for text in (short, full)
+    )
+    assert "--help-all" in of_short
+    assert of_short < of_full
+    assert len(of_short) <= 9
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if not page.endswith("-all")])
+def test_every_command_takes_help_all(page, pliant):
+    assert pliant(*(word if word != "--help" else "--help-all" for word in PAGES[page])).code == 0

@@ -45,7 +45,7 @@ std::string reading_as_text(const SourceText& source, const ReadOptions& options
   std::ostringstream out;
   ReadOptions logged = options;
   logged.log.function = [&](Severity severity, std::string_view text) {
-    out << (severity == Severity::note ? "note: " : "warning: ") << text << '\n';
+    out << (severity == Severity::warning ? "warning: " : "note: ") << text << '\n';
   };
   try {
     write_structure(read_structure(source, logged), out);

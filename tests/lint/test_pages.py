@@ -14,8 +14,8 @@ NOT_FOR_USERS = {"plot", "docs", "test"}  # extras that others take in, or that 
 
 def groups_of_help():
     """{heading: its commands} of pliant --help."""
-    text = (HELP / "pliant.help.txt").read_text().split("\nwords:\n")[0]
-    parts = re.findall(r"^(\w.*):\n((?:  .*\n)+)", text, re.MULTILINE)
+    text = (HELP / "pliant.help.txt").read_text()
+    parts = re.findall(r"^([A-Z][\w ?]*)\n((?:  .*\n)+)", text, re.MULTILINE)
     return {title: re.findall(r"^  ([a-z]+)  ", rows, re.MULTILINE) for title, rows in parts}
 
 
@@ -26,7 +26,7 @@ def groups_of_page():
         title, _, text = part.partition("\n")
         rows = re.findall(r"^\| `pliant ([a-z]+)", text, re.MULTILINE)
         if rows:
-            found[title[0].lower() + title[1:]] = list(dict.fromkeys(rows))
+            found[title] = list(dict.fromkeys(rows))
     return found
 
 

@@ -57,6 +57,7 @@ std::vector<NamedParameter> of_input(const Document& document, const std::string
   values.insert(values.end(), {{"model/kind", document.model},
                                {"model/hbond_cutoff", usual.hydrogen_bonds.cutoff},
                                {"model/keep_waters", usual.prepare.keep_waters},
+                               {"model/keep", none},
                                {"model/fill_side_chains", usual.prepare.fill_side_chains},
                                {"model/all_hydrogens", usual.prepare.all_hydrogens},
                                {"model/protonate", none},

@@ -11,23 +11,26 @@
 namespace pliant::python {
 namespace {
 
-PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> protonate,
-                               double floppy_below, bool fill_side_chains, bool all_hydrogens) {
+PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> keep,
+                               std::vector<std::string> protonate, double floppy_below,
+                               bool fill_side_chains, bool all_hydrogens) {
   PrepareOptions options;
   options.all_hydrogens = all_hydrogens;
   options.fill_side_chains = fill_side_chains;
   options.keep_waters = keep_waters;
+  options.keep = std::move(keep);
   options.protonate = std::move(protonate);
   options.floppy_below = floppy_below;
   options.log = python_log();
   return options;
 }
 
-Preparation prepare_structure(const Structure& structure, bool keep_waters, bool add_hydrogens,
+Preparation prepare_structure(const Structure& structure, bool keep_waters,
+                              std::vector<std::string> keep, bool add_hydrogens,
                               std::vector<std::string> protonate, double floppy_below,
                               bool fill_side_chains, bool all_hydrogens) {
-  PrepareOptions options = prepare_options(keep_waters, std::move(protonate), floppy_below,
-                                           fill_side_chains, all_hydrogens);
+  PrepareOptions options = prepare_options(keep_waters, std::move(keep), std::move(protonate),
+                                           floppy_below, fill_side_chains, all_hydrogens);
   options.add_hydrogens = add_hydrogens;
   const nb::gil_scoped_release no_gil;
   return prepare(structure, options);
@@ -42,15 +45,15 @@ nb::object contacts_of(const Structure& structure, double hbond_cutoff,
 }
 
 MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
-                        std::vector<std::string> protonate, double floppy_below,
-                        double hbond_cutoff, const nb::object& contacts, const std::string& pin,
-                        bool fill_side_chains, bool all_hydrogens, bool free_torsions,
-                        std::vector<std::string> more_contacts) {
+                        std::vector<std::string> keep, std::vector<std::string> protonate,
+                        double floppy_below, double hbond_cutoff, const nb::object& contacts,
+                        const std::string& pin, bool fill_side_chains, bool all_hydrogens,
+                        bool free_torsions, std::vector<std::string> more_contacts) {
   ModelOptions options;
   options.more_contacts = std::move(more_contacts);
   options.kind = choose(models(), "model", model).kind;
-  options.prepare = prepare_options(keep_waters, std::move(protonate), floppy_below,
-                                    fill_side_chains, all_hydrogens);
+  options.prepare = prepare_options(keep_waters, std::move(keep), std::move(protonate),
+                                    floppy_below, fill_side_chains, all_hydrogens);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   options.pin = pin;
   options.torsions = !free_torsions;
@@ -75,6 +78,9 @@ Parameters
 structure : Structure
     With its bonds, as ``read`` gives it.
 keep_waters : bool
+keep : sequence of str
+    Molecules of crystallisation that stay, as ``["GOL", "SO4"]`` or ``["all"]``. Where there is a
+    protein or nucleic acid, they are left out, unless they are bonded to anything or hold a metal.
 add_hydrogens : bool
     Place polar hydrogens (on N, O, S) by rule where a residue has none.
 protonate : sequence of str
@@ -131,7 +137,7 @@ structure : Structure
     With its bonds, as ``read`` gives it.
 model : str
     A name in ``models()``: ``bonds``, ``angles``, ``molecule`` or ``protein``.
-keep_waters, protonate, floppy_below
+keep_waters, keep, protonate, floppy_below
     As in ``prepare``.
 hbond_cutoff : float
     As in ``contacts``.
@@ -165,11 +171,12 @@ void bind_preparation(nb::module_& module) {
           "floppy", [](const Preparation& self) { return mask_of(self.floppy); },
           nb::rv_policy::reference, "(R,) bool: residues whose contacts are left out; empty: none.")
       .def_ro("steps", &Preparation::steps, "What was done, line by line.")
-      .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.");
+      .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.")
+      .def_ro("left_out", &Preparation::left_out, "What was taken out, as ``188 waters``.");
   module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
-             "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
-             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
-             prepare_doc);
+             "keep"_a = std::vector<std::string>{}, "add_hydrogens"_a = true,
+             "protonate"_a = std::vector<std::string>{}, "floppy_below"_a = 0.0,
+             "fill_side_chains"_a = false, "all_hydrogens"_a = false, prepare_doc);
 }
 
 void bind_contact_kinds(nb::module_& module) {
@@ -214,7 +221,8 @@ void bind_built_model(nb::module_& module) {
           nb::sig("def contacts(self) -> numpy.typing.NDArray[numpy.void]"),
           "(C,) what holds it besides bars and sterics, as ``contacts`` gives it.")
       .def_ro("notes", &MolecularModel::notes, "What was done and found, line by line.")
-      .def_ro("missing", &MolecularModel::missing, "What the file lacks, line by line.");
+      .def_ro("missing", &MolecularModel::missing, "What the file lacks, line by line.")
+      .def_ro("left_out", &MolecularModel::left_out, "What was taken out, as ``188 waters``.");
 }
 
 }  // namespace
@@ -232,13 +240,14 @@ void bind_model(nb::module_& module) {
                      "numpy.typing.NDArray[numpy.void]"),
              contacts_doc);
   module.def("build_model", &model_of, "structure"_a, "model"_a = "protein", nb::kw_only(),
-             "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{},
-             "floppy_below"_a = 0.0, "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
-             "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
-             "all_hydrogens"_a = false, "free_torsions"_a = false,
-             "more_contacts"_a = std::vector<std::string>{},
+             "keep_waters"_a = false, "keep"_a = std::vector<std::string>{},
+             "protonate"_a = std::vector<std::string>{}, "floppy_below"_a = 0.0,
+             "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff, "contacts"_a = nb::none(),
+             "pin"_a = "", "fill_side_chains"_a = false, "all_hydrogens"_a = false,
+             "free_torsions"_a = false, "more_contacts"_a = std::vector<std::string>{},
              nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
-                     "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
+                     "keep_waters: bool = False, keep: collections.abc.Sequence[str] = (), "
+                     "protonate: collections.abc.Sequence[str] = (), "
                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
                      "fill_side_chains: bool = False, all_hydrogens: bool = False, "

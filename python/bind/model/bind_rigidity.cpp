@@ -35,7 +35,7 @@ ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& 
     if (!options.more_contacts.empty())
       throw OptionError("more_contacts: goes with a Structure; a MolecularModel has its contacts");
     return {model.structure, options.contacts ? *options.contacts : model.contacts, model.notes,
-            model.missing};
+            model.missing, model.left_out};
   }
   if (!nb::isinstance<Structure>(argument))
     throw nb::type_error("structure: expected a Structure or a MolecularModel");
@@ -46,7 +46,7 @@ ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& 
 
 MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
                              const nb::object& contacts, bool keep_waters,
-                             std::vector<std::string> protonate,
+                             std::vector<std::string> keep, std::vector<std::string> protonate,
                              std::vector<std::string> more_contacts, const nb::kwargs& more) {
   nb::dict given(more);
   RigidityAsked counting;
@@ -55,6 +55,7 @@ MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
                  given);
   ModelOptions options;
   options.prepare.keep_waters = keep_waters;
+  options.prepare.keep = std::move(keep);
   options.prepare.protonate = std::move(protonate);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   options.more_contacts = std::move(more_contacts);
@@ -137,7 +138,7 @@ hbond_cutoff : float
     As in ``contacts``.
 contacts : array, optional
     Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
-keep_waters, protonate
+keep_waters, keep, protonate
     As in ``prepare``.
 more_contacts : sequence of str
     As in ``contacts``.
@@ -355,14 +356,14 @@ void bind_rigidity(nb::module_& module) {
   const std::string signature =
       "def rigidity(structure: Structure | MolecularModel, *, hbond_cutoff: float = -1.0, "
       "contacts: numpy.typing.ArrayLike | None = None, keep_waters: bool = False, "
-      "protonate: collections.abc.Sequence[str] = (), "
+      "keep: collections.abc.Sequence[str] = (), protonate: collections.abc.Sequence[str] = (), "
       "more_contacts: collections.abc.Sequence[str] = (), " +
       argument_texts(rigidity_fields(), RigidityAsked()) + ") -> Rigidity";
   const std::string doc =
       rigidity_doc + argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
   module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
              "contacts"_a = nb::none(), "keep_waters"_a = false,
-             "protonate"_a = std::vector<std::string>{},
+             "keep"_a = std::vector<std::string>{}, "protonate"_a = std::vector<std::string>{},
              "more_contacts"_a = std::vector<std::string>{}, "options"_a,
              nb::sig(signature.c_str()), doc.c_str());
 }

@@ -33,8 +33,10 @@ struct SampledEnsemble {
   SampleSummary summary;
 };
 
-MolecularModel model_from(const nb::handle& argument, const std::string& model) {
+MolecularModel model_from(const nb::handle& argument, const std::string& model,
+                          std::vector<std::string> keep) {
   if (nb::isinstance<MolecularModel>(argument)) {
+    if (!keep.empty()) throw OptionError("keep: goes with a structure, not with a model");
     if (!model.empty()) throw OptionError("model: goes with a structure, not with a model");
     refuse_drawing(nb::cast<const MolecularModel&>(argument).structure);
     return nb::cast<MolecularModel>(argument);
@@ -46,6 +48,7 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model) 
   ModelOptions options;
   options.kind = usual_model(structure);
   if (!model.empty()) options.kind = choose(models(), "model", model).kind;
+  options.prepare.keep = std::move(keep);
   options.log = python_log();
   return build_model(structure, options);
 }
@@ -81,7 +84,8 @@ H5mdHeader header_of_sample(const SampledEnsemble& made, const SampleTask& task,
                            {{"input/file", file},
                             {"sample/amplitude_from", made.amplitude.source},
                             {"sample/amplitude_reason", made.amplitude.reason},
-                            {"model/kind", std::string(entry(made.model.kind).name)}});
+                            {"model/kind", std::string(entry(made.model.kind).name)},
+                            left_out_of(made.model)});
   for (NamedParameter& one : parameters_of(output.options, output.save))
     header.parameters.push_back(std::move(one));
   return header;
@@ -115,7 +119,7 @@ SampleAsked asked_of(SampledEnsemble& out, const std::optional<AskedAmplitude>& 
 
 SampledEnsemble sample_from(const nb::handle& structure, const nb::object& frames,
                             const std::optional<AskedAmplitude>& amplitude,
-                            const std::string& model,
+                            const std::string& model, std::vector<std::string> keep,
                             const std::optional<std::filesystem::path>& path, bool overwrite,
                             bool single, bool compress, double precision, const std::string& save,
                             const nb::kwargs& more) {
@@ -126,7 +130,7 @@ SampledEnsemble sample_from(const nb::handle& structure, const nb::object& frame
   refuse_unknown(nb::module_::import_("pliant._core").attr("sample"), nb::make_tuple(structure),
                  given);
   Output output = output_from(path, overwrite, single, compress, precision, save);
-  SampledEnsemble out{model_from(structure, model), {}, {}, {}};
+  SampledEnsemble out{model_from(structure, model, std::move(keep)), {}, {}, {}};
   const SampleAsked asked = asked_of(out, amplitude, std::move(options));
   const SampleTask task(subject_of(out.model), asked);
   InterruptWatch watch("frames", task.options().frames);
@@ -195,6 +199,8 @@ constexpr const char* doc_of_amplitude =
 constexpr const char* doc_of_the_rest =
     R"(model : str
     A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
+keep : sequence of str
+    Molecules of crystallisation that stay; as for ``build_model``.
 output : str or path, optional
     H5MD file to write as well; ``continue_sample`` goes on with it.
 overwrite, single, compress : bool
@@ -317,7 +323,8 @@ std::string signature() {
       text += ", " + argument_text(field, field.place(usual));
   }
   return text +
-         ", model: str = \"\", output: str | os.PathLike[str] | None = None, "
+         ", model: str = \"\", keep: collections.abc.Sequence[str] = (), "
+         "output: str | os.PathLike[str] | None = None, "
          "overwrite: bool = False, single: bool = False, compress: bool = False, "
          "precision: float = 0.0, save: str = '') -> SampledEnsemble";
 }
@@ -334,9 +341,10 @@ std::string sample_doc() {
 
 void bind_sample_function(nb::module_& module) {
   module.def("sample", &sample_from, "structure"_a, "frames"_a = nb::none(), nb::kw_only(),
-             "amplitude"_a = nb::none(), "model"_a = "", "output"_a = nb::none(),
-             "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
-             "save"_a = "", "options"_a, nb::sig(signature().c_str()), sample_doc().c_str());
+             "amplitude"_a = nb::none(), "model"_a = "", "keep"_a = std::vector<std::string>{},
+             "output"_a = nb::none(), "overwrite"_a = false, "single"_a = false,
+             "compress"_a = false, "precision"_a = 0.0, "save"_a = "", "options"_a,
+             nb::sig(signature().c_str()), sample_doc().c_str());
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ def flexibility_columns(analysis: Analysis) -> dict[str, Any]:
         units.what: units.labels,
         "chain": units.chains,
         "number": units.numbers,
+        "of_chain": units.of_chain.astype(int),
         "rmsf_angstrom": found.rmsf,
         "error_angstrom": found.error,
         "first_half_angstrom": found.halves[0],

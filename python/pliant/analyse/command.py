@@ -59,6 +59,9 @@ MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "ind
 Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),
 1 the input cannot be read, 2 wrong usage."""
 
+#: options that --help shows
+COMMON = ("--output", "--topology", "--select", "--superpose", "--distance")
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
@@ -68,7 +71,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> Parser:
-    parser = Parser("analyse", DESCRIPTION, EPILOG)
+    parser = Parser("analyse", DESCRIPTION, EPILOG, COMMON)
     add = parser.add_argument
     add(
         "file",

@@ -59,6 +59,11 @@ class Units(Part):
     of_chain: np.ndarray  #: (n,) bool: a residue of a chain, by its CA or P
 
     @property
+    def ranked(self) -> np.ndarray:
+        """(n,) bool: residues of chains, which ligands are not ranked with; all without chains."""
+        return self.of_chain if self.of_chain.any() else np.ones(len(self.labels), dtype=bool)
+
+    @property
     def site_stride(self) -> int:
         """Correlations and domains are of every so many units."""
         return -(-len(self.labels) // MOST_SITES)

@@ -28,6 +28,9 @@ examples:
 
 Exit code: 0 written, 1 a file cannot be read or written, 2 wrong usage."""
 
+#: options that --help shows
+COMMON = ("-k", "--shapes", "--output", "--select", "--superpose")
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
@@ -36,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> Parser:
-    parser = Parser("representatives", DESCRIPTION, EPILOG)
+    parser = Parser("representatives", DESCRIPTION, EPILOG, COMMON)
     add = parser.add_argument
     add(
         "file",

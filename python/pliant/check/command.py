@@ -29,6 +29,9 @@ examples:
   pliant check ensemble.h5md --no-force-field
 """
 
+#: options that --help shows
+COMMON = ("--frames", "--starts", "--output", "--force-field", "--no-picture")
+
 
 def make_parser() -> console.Parser:
     """The options of pliant check."""
@@ -43,6 +46,7 @@ def make_parser() -> console.Parser:
         "200 residues; --thorough looks at 20 frames, for longer, and at frames of a short MD, in\n"
         "about ten minutes on two free cores. OpenMM runs in separate processes.",
         EPILOG,
+        COMMON,
     )
     add = parser.add_argument
     add("file", metavar="FILE", help="H5MD trajectory of pliant run or pliant sample")

@@ -72,6 +72,9 @@ In Python, MDAnalysis.Universe("many/ensemble.pliant") is all shards as one traj
 Exit code: 0 all shards are complete, 1 bad input or file, 2 bad option, 3 some frames are not
 whole or were left out, 130 ended by Ctrl-C: the same command goes on from there."""
 
+#: options that --help shows
+COMMON = ("--output", "--frames", "--walkers", "--workers", "--verify")
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
@@ -83,7 +86,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> Parser:
-    parser = Parser("ensemble", DESCRIPTION, EPILOG)
+    parser = Parser("ensemble", DESCRIPTION, EPILOG, COMMON)
     parser.usage = "pliant ensemble INPUT -o DIR (--walkers N | --frames N) [OPTIONS]"
     _add_ensemble(parser.add_argument)
     _add_places(parser.add_argument_group("where").add_argument)

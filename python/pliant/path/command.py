@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from pliant import console
 from pliant._core import OptionError, PathOptions, path_rows, read
-from pliant._output_names import check_trajectory_name, is_pdb_name
+from pliant._output_names import check_trajectory_name
 from pliant._said import notes_shown_by
 
 if TYPE_CHECKING:
@@ -52,6 +52,9 @@ examples:
   pliant analyse closing.h5md
 """
 
+#: options that --help shows
+COMMON = ("--output", "--atoms", "--both", "--backtrack", "--csv")
+
 
 def _row(of: PathFrame | TightPlace, names: Sequence[str]) -> dict[str, Any]:
     return {name: getattr(of, name) for name in names}
@@ -73,11 +76,14 @@ def make_parser() -> console.Parser:
         "Finds a path from one structure of a molecule to another: frames with exact bonds and\n"
         "angles and no overlaps, which keep the contacts that both structures have.",
         EPILOG,
+        COMMON,
     )
     add = parser.add_argument
     add("start", metavar="START", help="PDB or mmCIF file to start from")
     add("end", metavar="END", help="PDB or mmCIF file of the same molecule, to go to")
-    add("-o", "--output", metavar="FILE", required=True, help="H5MD trajectory to write")
+    add(
+        "-o", "--output", metavar="FILE", required=True, help="H5MD trajectory or PDB file to write"
+    )
     console.add_rows(parser, path_rows(), {"backtrack": ATTEMPTS})
     add("--csv", metavar="FILE", help="also write the table of frames")
     add("--overwrite", action="store_true", help="replace existing outputs")
@@ -118,8 +124,6 @@ def _path(arguments: argparse.Namespace) -> int:
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
     check_trajectory_name(arguments.output)
-    if is_pdb_name(arguments.output):
-        raise OptionError(f"--output {arguments.output}: expected a name that ends in .h5md")
     if arguments.csv and not Path(arguments.csv).resolve().parent.is_dir():
         raise OptionError(f"--csv {arguments.csv}: its directory does not exist")
     if arguments.csv and Path(arguments.csv).exists() and not arguments.overwrite:
@@ -146,6 +150,7 @@ def _facts(path: MolecularPath, output: str) -> dict[str, Any]:
         "tightest": [_row(place, PLACE) for place in path.tight_places()],
         "seconds": path.seconds,
         "notes": path.notes,
+        "left_out": path.model.left_out,
         "frames": [_row(frame, FRAME) for frame in path.frames],
     }
 
@@ -154,31 +159,33 @@ def _print(path: MolecularPath, output: str) -> None:
     first, last = path.frames[0], path.frames[-1]
     worst = max(frame.max_residual for frame in path.frames)
     for note in path.notes:
-        print(f"note: {note}", file=sys.stderr)
+        console.note(note)
     what = "arrived" if path.arrived else "did not arrive"
-    print(
-        f"path            {what}: {first.to_end:.2f} A from the end at first, {last.to_end:.2f} now"
-    )
-    print(
-        f"frames          {len(path.frames)}; {path.atoms} of {path.matched} residues, superposed"
-    )
-    print(
-        f"contacts        {path.held} of both structures held, off by {last.held_off:.3f} A at most"
-    )
-    print(f"                {last.lost} of {path.only_start} of the start alone are lost")
-    print(f"                {last.made} of {path.only_end} of the end alone are made")
-    for k, place in enumerate(path.tight_places()):
-        print(
-            f"{'' if k else 'tightest':15s} {place.atoms}: {place.overlap:.3f} A too near in "
-            f"frame {place.step}"
-        )
-    if path.turned:
-        print(f"turned          {path.turned:.0f} degrees, a piece of the molecule as a whole")
-    if path.attempts:
-        print(f"went back       {path.attempts} times")
-    print(f"worst bar       off by {worst:.1e} of its length")
-    print(f"time            {path.seconds:.2f} s")
-    print(f"trajectory      {console.printable_name(output)}")
+    turned = f", turning a piece by {path.turned:.0f} degrees" if path.turned else ""
+    detours = f", after {console.counted(path.attempts, 'detour')}" if path.attempts else ""
+    lines = [
+        ("path", f"{what}: {first.to_end:.2f} A from the end at first, {last.to_end:.2f} now"),
+        ("left out", "; ".join(path.model.left_out)),
+        (
+            "frames",
+            f"{len(path.frames)}; {path.atoms} of {path.matched} residues, superposed"
+            f"{turned}{detours}",
+        ),
+        (
+            "contacts",
+            f"{path.held} of both structures held; {last.lost} of {path.only_start} of the start "
+            f"alone lost, {last.made} of {path.only_end} of the end alone made",
+        ),
+        *(
+            ("tightest", f"{one.atoms}: {one.overlap:.3f} A too near in frame {one.step}")
+            for one in path.tight_places(1)
+        ),
+        ("quality", f"Bonds and angles are off by {worst:.0e} at most."),
+        ("written", f"{console.printable_name(output)}, in {path.seconds:.1f} s"),
+    ]
+    for label, text in lines:
+        if text:
+            print(f"{label:15s} {text}")
     if not path.arrived:
         print("what stands in the way may be contacts, loops, or parts that would pass each other;")
         print("--both and --backtrack try other ways round")

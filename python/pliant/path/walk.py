@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from pliant import _progress
 from pliant._checked import SEED, checked
-from pliant._core import H5mdRecorder, PathEnds, PathOptions, PathWalk, Structure, read
+from pliant._core import H5mdRecorder, PathEnds, PathOptions, PathWalk, PdbRecorder, Structure, read
+from pliant._output_names import is_pdb_name
 from pliant.path.found import MolecularPath
 
 __all__ = ["PathEnds", "PathOptions", "PathWalk", "find", "path"]
@@ -27,6 +28,7 @@ def path(
     both: bool = False,
     backtrack: int = 0,
     seed: int = 0,
+    keep: str | Sequence[str] = (),
     output: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
 ) -> MolecularPath:
@@ -50,8 +52,11 @@ def path(
         not kept is not part of the path.
     seed : int
         Of the detours.
+    keep : str or sequence of str
+        Molecules of crystallisation that stay, as for `build_model`.
     output : str or path, optional
-        H5MD file to write frames to, when all are made; those that there are after Ctrl-C.
+        H5MD file to write frames to, or a PDB file with one model for each, when all are made;
+        those that there are after Ctrl-C.
     overwrite : bool
         Replace it.
 
@@ -64,7 +69,10 @@ def path(
     FileError
         The output exists or cannot be written.
     """
-    options = PathOptions(atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed)
+    names = keep if isinstance(keep, str) else ",".join(keep)
+    options = PathOptions(
+        atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed, keep=names
+    )
     bar = _progress.begin("path", WHOLE)
     try:
         return find(start, end, options, output, overwrite, bar.show if bar else None)
@@ -89,8 +97,12 @@ def find(
     try:
         _go(walk, show)
     finally:  # after Ctrl-C what there is of the path is written as well
-        if recorder is not None:
+        if isinstance(recorder, PdbRecorder):
+            for frame in walk.positions():
+                recorder.record(frame)
+        elif recorder is not None:
             walk.record(recorder)
+        if recorder is not None:
             recorder.close()
     atoms, contacts = options.atoms, len(ends.model.contacts)
     made = ends.model, walk.positions(), walk.table(), ends.matched, atoms, contacts
@@ -115,7 +127,9 @@ def _go(walk: PathWalk, show: Callable[[int], None] | None) -> None:
 
 def _recorder(
     ends: PathEnds, options: PathOptions, output: str | os.PathLike[str], overwrite: bool
-) -> H5mdRecorder:
+) -> H5mdRecorder | PdbRecorder:
+    if is_pdb_name(output):
+        return PdbRecorder(os.fspath(output), ends.model.structure, overwrite=overwrite)
     end = {"path/end": os.path.basename(ends.source_of_end)}
     return H5mdRecorder(
         output,

@@ -7,17 +7,21 @@
 
 namespace pliant {
 
+/// detail: what was done, as always ("132 waters taken out").
 /// note: something worth knowing that is as it should be ("model 1 of 2 used").
 /// warning: a guess was made or something was left out.
-enum class Severity { note, warning };
+enum class Severity { detail, note, warning };
 
 /// Receives each message; empty means silence.
 using LogFunction = std::function<void(Severity, std::string_view)>;
 
-/// A log function with the two verbs that call it; cheap to copy and pass by const reference.
+/// A log function with the three verbs that call it; cheap to copy and pass by const reference.
 struct Log {
   LogFunction function = {};
 
+  void detail(std::string_view text) const {
+    if (function) function(Severity::detail, text);
+  }
   void note(std::string_view text) const {
     if (function) function(Severity::note, text);
   }

@@ -106,18 +106,21 @@ class ModelBuilder {
     if (entry_.has_sterics && options_.torsions) take_torsions();
     Framework framework = build_framework(ready_.structure, building_);
     std::vector<Vec3> positions = ready_.structure.positions;
+    const auto placed = static_cast<std::size_t>(std::ranges::count(ready_.origin, no_atom));
     return {options_.kind,
             std::move(ready_.structure),
             std::move(framework),
             std::move(positions),
             std::move(contacts_),
             std::move(ready_.steps),
-            std::move(ready_.missing)};
+            std::move(ready_.missing),
+            std::move(ready_.left_out),
+            placed};
   }
 
  private:
   void note(std::string line) {
-    options_.log.note(line);
+    options_.log.detail(line);
     ready_.steps.push_back(std::move(line));
   }
 
@@ -154,7 +157,7 @@ class ModelBuilder {
     sterics.own = own_distances(joints, ready_.structure.positions);
     if (!sterics.own.empty())
       note("sterics: " + std::to_string(sterics.own.size()) +
-           " pairs are nearer than usual and keep their own distance");
+           " atom pairs are already closer than usual in the file; these distances are allowed");
     building_.sterics = std::make_shared<const Sterics>(std::move(sterics));
   }
 
@@ -214,6 +217,12 @@ std::vector<MolecularContact> contacts_for(const Preparation& ready, const Model
   if (options.contacts) return *options.contacts;
   if (!options.contacts_file.empty()) return read_contacts(options.contacts_file, ready.structure);
   return find_contacts(ready.structure, options, ready.floppy);
+}
+
+NamedParameter left_out_of(const MolecularModel& model) {
+  std::string text;
+  for (const std::string& one : model.left_out) text += (text.empty() ? "" : "; ") + one;
+  return {"model/left_out", text};
 }
 
 MolecularModel build_model(const Structure& structure, const ModelOptions& options) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/base/parameter.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/model/contacts/contact_list.hpp"
 #include "pliant/model/contacts/contact_options.hpp"
@@ -65,9 +66,14 @@ struct MolecularModel {
   Framework framework;          ///< bars, limits (group k is contact k), sterics
   std::vector<Vec3> positions;  ///< (N) Angstrom, start; satisfies all limits and least distances
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> notes;    ///< what was done and found, one sentence each
-  std::vector<std::string> missing;  ///< what the structure lacks
+  std::vector<std::string> notes;     ///< what was done and found, one sentence each
+  std::vector<std::string> missing;   ///< what the structure lacks
+  std::vector<std::string> left_out;  ///< what of the file is not in it: see Preparation
+  std::size_t placed = 0;             ///< atoms placed by rule
 };
+
+/// What a model has left out, as files keep it: "model/left_out".
+NamedParameter left_out_of(const MolecularModel& model);
 
 /// Builds the model of a structure whose bonds are known (perceive_bonds), after prepare() for
 /// models that need it. Pairs of atoms that are nearer than the table of sterics allows keep their

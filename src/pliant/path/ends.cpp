@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/path/ends.hpp"
 
+#include <sstream>
 #include <utility>
 
 #include "pliant/base/error.hpp"
@@ -53,9 +54,16 @@ Indices leaders(const MolecularModel& model, const MatchedSide& side) {
   return leader;
 }
 
-MolecularModel model_with(const Structure& structure, std::vector<MolecularContact> contacts) {
+ModelOptions model_options(const PathOptions& asked) {
   ModelOptions options;
   options.torsions = false;  // those of the end may be others
+  std::istringstream names(asked.keep);
+  for (std::string name; std::getline(names, name, ',');) options.prepare.keep.push_back(name);
+  return options;
+}
+
+MolecularModel model_with(const Structure& structure, std::vector<MolecularContact> contacts,
+                          ModelOptions options) {
   options.contacts = std::move(contacts);
   return build_model(structure, options);
 }
@@ -93,7 +101,8 @@ class EndsMatcher {
     const ResiduePairing all = with_ligands(here, there, {ours_.residues, theirs_.residues});
     const MatchedAtoms ours(here, all.ours), theirs(there, all.theirs);
     SharedContacts contacts = share_contacts(whole_.contacts, ours, goal_.contacts, theirs);
-    PathEnds found{.start = side_of(model_with(start, std::move(contacts.ours)), ours_),
+    PathEnds found{.start = side_of(
+                       model_with(start, std::move(contacts.ours), model_options(options_)), ours_),
                    .end = std::nullopt,
                    .goal = {},
                    .matched = ours_.residues.size(),
@@ -103,14 +112,15 @@ class EndsMatcher {
                    .source_of_end = there.source,
                    .notes = std::move(notes)};
     for (std::uint32_t atom : theirs_.asked) found.goal.push_back(goal_.positions[atom]);
-    if (options_.both) found.end = side_of(model_with(end, std::move(contacts.theirs)), theirs_);
+    if (options_.both)
+      found.end =
+          side_of(model_with(end, std::move(contacts.theirs), model_options(options_)), theirs_);
     return found;
   }
 
  private:
   MolecularModel build(const Structure& structure) const {
-    ModelOptions options;
-    options.torsions = false;
+    ModelOptions options = model_options(options_);
     options.log = options_.log;
     return build_model(structure, options);
   }

@@ -40,6 +40,11 @@ const OptionField<PathOptions> table[] = {
      at<&PathOptions::backtrack>},
     {{.name = "seed", .summary = "seed of the detours", .in_python = "Of the detours."},
      at<&PathOptions::seed>},
+    {{.name = "keep",
+      .summary = "do not leave out these molecules of crystallisation, such as GOL,SO4, or all",
+      .kind = "NAMES",
+      .in_python = "Molecules of crystallisation that stay, as ``GOL,SO4``, or ``all``."},
+     at<&PathOptions::keep>},
 };
 
 }  // namespace

@@ -36,6 +36,7 @@ struct PathOptions {
   bool both = false;           ///< both structures first move towards each other
   std::int64_t backtrack = 0;  ///< largest number of detours, 0 to 1000
   std::uint64_t seed = 0;      ///< of the detours
+  std::string keep = {};       ///< additives that stay (PrepareOptions), between commas, or "all"
   std::function<bool()> should_stop = {};  ///< called after each sweep; true ends the step
   Log log = {};                            ///< receives messages of preparation
 };

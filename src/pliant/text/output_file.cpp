@@ -84,7 +84,7 @@ void refuse_if_busy(const fs::path& path) {
 
 [[noreturn]] void refuse_existing(const fs::path& path) {
   refuse_if_busy(path);
-  throw FileError(shown(path) + ": exists already, and was not to be overwritten");
+  throw FileError(shown(path) + ": exists already; overwrite replaces it");
 }
 
 void check_directory(const fs::path& target) {

@@ -41,7 +41,8 @@ def test_json_and_csv_say_the_same(pliant):
 
 
 def test_what_was_done_is_reported(pliant):
-    ended = pliant("contacts", XRAY)
+    assert "note: left out: 180 waters" in pliant("contacts", XRAY).err
+    ended = pliant("contacts", XRAY, "--verbose")
     assert ended.code == 0
     assert "note: 180 waters taken out\n" in ended.err
     assert "polar hydrogens placed by rule\n" in ended.err

@@ -25,7 +25,7 @@ def records(path):
 
 
 def test_conformers_are_records_of_sdf(pliant, drug, tmp_path):
-    ended = pliant("sample", drug, "-o", "conformers.sdf", "--frames", 7)
+    ended = pliant("sample", drug, "-o", "conformers.sdf", "--frames", 7, "--verbose")
     assert ended.code == 0
     assert "rotors          6: " in ended.out
     assert "rings           1: " in ended.out
@@ -101,7 +101,8 @@ def test_rings_are_named_by_what_they_can_do(pliant, tmp_path):
     large = named(pliant, tmp_path, "C1CCCCCCCCC1")
     assert large["rings"] == large["rigid_rings"] == []
     assert large["loop_units"] > 0
-    table = pliant("sample", "rings.sdf", "-o", "out.sdf", "--frames", 2, "--overwrite").out
+    again = ("--overwrite", "--verbose")
+    table = pliant("sample", "rings.sdf", "-o", "out.sdf", "--frames", 2, *again).out
     assert "rigid units, drawn and closed" in table
 
 

@@ -53,7 +53,7 @@ def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
     (tmp_path / "in.pdb").unlink()
     ended = pliant("sample", "--continue", "part.h5md", "--frames", 5, "--seed", 0)
     assert ended.code == 0, ended.err
-    assert "frames          2 added, sampler modes, network shared, seed 0\n" in ended.out
+    assert "frames          2 added by sampler modes; amplitude " in ended.out
     assert os.listdir(tmp_path) == ["part.h5md"]
 
 

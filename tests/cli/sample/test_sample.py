@@ -57,8 +57,30 @@ def test_threads_and_pieces_give_the_same_frames(pliant, tmp_path):
     assert np.array_equal(frames("one.h5md")[4:], frames("end.h5md"))
 
 
+def test_eight_lines_say_what_was_done(pliant, tmp_path):
+    """A crystal structure with waters, alternate locations and additives of crystallisation."""
+    path = pytest.importorskip("MDAnalysisTests.datafiles").PDB_full
+    ended = pliant("sample", path, "-o", "out.h5md", "--frames", 3)
+    lines = [*ended.err.splitlines(), *ended.out.splitlines()]
+    assert len(lines) <= 8
+    text = "188 waters; 16 molecules of crystallisation: 10 GOL, 4 DMS, 1 ACT, 1 BME (--keep all"
+    assert next(line for line in lines if line.startswith("left out")).startswith(
+        f"left out        {text}"
+    )
+    assert "No frame had to be redrawn. Bonds and angles" in ended.out
+    assert lines[-1] == "next            pliant analyse out.h5md"
+    kept = pliant("sample", path, "--keep", "GOL,DMS", "--frames", 2, "-o", "kept.h5md", "--json")
+    report = json.loads(kept.out)
+    assert [line.split(" (")[0] for line in report["left_out"]] == [
+        "188 waters",
+        "2 molecules of crystallisation: 1 ACT, 1 BME",
+    ]
+    with h5py.File(tmp_path / "kept.h5md") as file:
+        assert file["parameters/model/keep"][()].decode() == "GOL,DMS"
+
+
 def test_it_says_that_the_amplitude_is_an_input(pliant):
-    ended = pliant("sample", PEPTIDE, "--frames", 2, "--amplitude", 0.4)
+    ended = pliant("sample", PEPTIDE, "--frames", 2, "--amplitude", 0.4, "--verbose")
     assert "an input, not a prediction" in ended.out
     assert "how often they occur is not claimed" in ended.out
 
@@ -130,6 +152,6 @@ def test_one_residue_is_refused_and_loose_atoms_have_no_worst_bar(pliant, tmp_pa
     assert "one.xyz: holds one residue or atom: an ensemble needs two" in ended.err
     assert [path.name for path in tmp_path.iterdir()] == ["one.xyz"]
     (tmp_path / "two.xyz").write_text("2\nargon\nAr 0 0 0\nAr 0 0 9\n")
-    ended = pliant("sample", "two.xyz", "--frames", 2)
+    ended = pliant("sample", "two.xyz", "--frames", 2, "--verbose")
     assert ended.code == 0
     assert "worst contact" in ended.out and "worst bar" not in ended.out

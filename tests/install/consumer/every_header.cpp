@@ -68,6 +68,7 @@
 #include "pliant/molecule/bonds/bond_options.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
+#include "pliant/molecule/crystal_additives.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/molecule/read/shared/read_options.hpp"
 #include "pliant/molecule/sterics_lines.hpp"
@@ -233,6 +234,7 @@ const Use uses[] = {
     of("pliant/model/contacts/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
     of("pliant/model/contacts/hydrogen_bonds.hpp", &hydrogen_bonds),
     of("pliant/model/model.hpp", &build_model),
+    of("pliant/molecule/crystal_additives.hpp", &crystal_additives),
     of("pliant/model/prepare/prepare.hpp", &prepare),
     of("pliant/model/prepare/protonation.hpp", &protonation_of),
     of("pliant/model/rigidity/rigidity.hpp", &analyse_rigidity),

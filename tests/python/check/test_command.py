@@ -165,7 +165,7 @@ def test_the_picture_is_where_it_was_wanted(path, tmp_path, capsys):
 
 def test_help_names_every_option(capsys):
     with pytest.raises(SystemExit) as stopped:
-        main(["--help"])
+        main(["--help-all"])
     assert stopped.value.code == 0
     out = capsys.readouterr().out
     names = "frames break seed time-limit no-picture json starts long-starts md-steps start"

@@ -170,8 +170,19 @@ def test_the_command_writes_and_tells(tmp_path, monkeypatch, capsys):
     assert float(rows[-1]["to_end"]) == pytest.approx(report["rmsd_reached"])
     assert main(words) == 2
     assert "--csv p.csv: exists; --overwrite replaces it" in capsys.readouterr().err
-    assert main([str(OPEN), str(CLOSED), "-o", "p.pdb"]) == 2
     assert main([str(OPEN), str(OPEN), "-o", "q.h5md"]) == 2
+
+
+def test_a_path_is_written_as_models_of_a_pdb_file(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main([str(OPEN), str(CLOSED), "-o", "p.h5md"]) == 0
+    assert main([str(OPEN), str(CLOSED), "-o", "p.pdb"]) == 0
+    assert "PliantWarning" not in capsys.readouterr().err
+    reader = pliant.H5mdReader("p.h5md")
+    models = Path("p.pdb").read_text().count("MODEL ")
+    assert models == len(reader)
+    last = pliant.read("p.pdb", model=models).positions
+    assert last == pytest.approx(reader.positions(models - 1), abs=1e-3)
 
 
 def test_atoms_that_are_alike_are_one(tmp_path, closing):

@@ -73,6 +73,6 @@ def test_a_walk_shows_one_way_at_a_time(helices):
 def test_the_command_says_that_a_piece_turned(helices, tmp_path, capsys):
     words = [*map(str, helices), "-o", str(tmp_path / "p.h5md")]
     assert main(words) == 0
-    assert "degrees, a piece of the molecule as a whole\n" in capsys.readouterr().out
+    assert ", turning a piece by " in capsys.readouterr().out
     assert main([*words, "--overwrite", "--json"]) == 0
     assert 135 < json.loads(capsys.readouterr().out)["turned"] < 225

@@ -94,7 +94,7 @@ class H5mdReaderTest : public ::testing::Test {
     H5mdReadOptions options;
     options.group = group;
     options.log.function = [this](Severity severity, std::string_view text) {
-      messages_.push_back((severity == Severity::note ? "note: " : "warning: ") +
+      messages_.push_back((severity == Severity::warning ? "warning: " : "note: ") +
                           std::string(text));
     };
     return H5mdReader(path_, options);

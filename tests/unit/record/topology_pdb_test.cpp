@@ -183,7 +183,7 @@ TEST_F(TopologyPdbTest, RefusesWhatDoesNotFit) {
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "precious");
   EXPECT_EQ(message_of<FileError>(
                 [&] { write_topology_pdb(path_, one_residue(1), std::vector<Vec3>(1), {}); }),
-            path_.string() + ": exists already, and was not to be overwritten");
+            path_.string() + ": exists already; overwrite replaces it");
 }
 
 }  // namespace topology_pdb_test

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
 
 #: share of the frames from which a contact counts as kept, and below which as lost
 KEPT = 0.9
+ERRORS = "± 2 standard errors"  #: heading of a column
 LOST = 0.1
 #: share of the frames from which a contact that the start lacks counts as gained
 GAINED = 0.5
@@ -127,6 +128,8 @@ def tables(analysis: Analysis) -> list[PageTable]:
         Residuals: _bar_table,
     }
     made = [make(analysis) for part, make in makers.items() if part in analysis]
+    if UnitFlexibility in analysis and analysis.kind != TRANSITION:
+        made.append(_ligand_table(analysis))
     if OtherShapes in analysis:
         made += _other_tables(analysis)
     return [table for table in made if table.rows]
@@ -146,17 +149,25 @@ def _other_tables(analysis: Analysis) -> list[PageTable]:
 
 def _flexible_table(analysis: Analysis) -> PageTable:
     found, units = analysis[UnitFlexibility].found, analysis[Units]
-    rows = [
-        (units.labels[k], f"{found.rmsf[k]:.3f}", f"± {2 * found.error[k]:.2g}")
-        for k in np.argsort(-found.rmsf, kind="stable")[:8]
-    ]
+    rows = _most_flexible(analysis, units.ranked)
     if analysis.kind == TRANSITION:
         caption = f"{units.what.capitalize()}s that move most on the way"
         return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)"), [row[:2] for row in rows])
-    caption = f"Most flexible {units.what}s"
-    if not found.converged:
-        caption += " (not converged)"
-    return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)", "two errors"), rows)
+    caption = f"Most flexible {units.what}s" + ("" if found.converged else " (not converged)")
+    return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)", ERRORS), rows)
+
+
+def _ligand_table(analysis: Analysis) -> PageTable:
+    rows = _most_flexible(analysis, ~analysis[Units].ranked)
+    return PageTable(FLEXIBLE, "Ligands", ("ligand", "RMSF (Å)", ERRORS), rows)
+
+
+def _most_flexible(analysis: Analysis, chosen: np.ndarray) -> list[tuple[str, ...]]:
+    found, units = analysis[UnitFlexibility].found, analysis[Units]
+    order = np.argsort(-found.rmsf, kind="stable")
+    numbers = order[chosen[order]][:8]
+    texts = [(f"{found.rmsf[k]:.3f}", f"± {2 * found.error[k]:.2g}") for k in numbers]
+    return [(units.labels[k], *text) for k, text in zip(numbers, texts, strict=True)]
 
 
 def _domain_table(analysis: Analysis) -> PageTable:

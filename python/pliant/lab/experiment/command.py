@@ -38,6 +38,9 @@ examples:
   pliant experiment -o fine --tolerance-length 1e-4 --class 1-cycle-ring --technique bfs_cycle
 """
 
+#: options that --help shows
+COMMON = ("--output", "--graphs", "--technique", "--folders", "--seed")
+
 
 def make_parser() -> console.Parser:
     """The options of pliant experiment."""
@@ -46,6 +49,7 @@ def make_parser() -> console.Parser:
         "Applies the same random forces to the same random graphs, restores the broken bars with\n"
         "every technique and weighting, and writes one tidy table (thesis, chapter 5).",
         EPILOG,
+        COMMON,
     )
     text = "folder of the table; an unfinished table is continued"
     parser.add_argument("-o", "--output", metavar="DIR", type=Path, required=True, help=text)

@@ -9,6 +9,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/model/atoms/residue_chemistry.hpp"
+#include "pliant/model/prepare/additives.hpp"
 #include "pliant/model/prepare/carbon_hydrogens.hpp"
 #include "pliant/model/prepare/edit_structure.hpp"
 #include "pliant/model/prepare/hydrogen_places.hpp"
@@ -48,6 +49,7 @@ class Preparer {
 
   Preparation prepare() {
     take_out_waters();
+    take_out_additives();
     take_out_dummies();
     rename_selenium();
     refuse_ca_only();
@@ -57,7 +59,7 @@ class Preparer {
     add_hydrogens();
     tell_of_survey(is_backbone_only);
     find_floppy();
-    for (const std::string& line : now_.steps) options_.log.note(line);
+    for (const std::string& line : now_.steps) options_.log.detail(line);
     for (const std::string& line : now_.missing) options_.log.warn(line);
     return std::move(now_);
   }
@@ -81,18 +83,19 @@ class Preparer {
 
   template <class Condition>
   std::size_t residues_that(const Condition& holds) const {
-    return static_cast<std::size_t>(
-        std::count_if(atoms().residues.begin(), atoms().residues.end(), holds));
+    return static_cast<std::size_t>(std::ranges::count_if(atoms().residues, holds));
   }
 
   template <class Condition>
-  void take_out(const Condition& holds, const std::string& nothing_but) {
+  void take_out(const Condition& holds) {
     std::vector<bool> is_out(now_.structure.size());
-    for (std::size_t i = 0; i < is_out.size(); ++i)
-      is_out[i] = holds(atoms().residues[atoms().residue_of[i]]);
-    if (std::find(is_out.begin(), is_out.end(), false) == is_out.end())
-      refuse("holds nothing but " + nothing_but);
+    for (std::size_t i = 0; i < is_out.size(); ++i) is_out[i] = holds(atoms().residue_of[i]);
     take(without_atoms(now_.structure, is_out));
+  }
+
+  void take_out(bool (*holds)(const Residue&), const std::string& nothing_but) {
+    if (std::ranges::all_of(atoms().residues, holds)) refuse("holds nothing but " + nothing_but);
+    take_out([&](std::uint32_t r) { return holds(atoms().residues[r]); });
   }
 
   void take_out_waters() {
@@ -100,7 +103,22 @@ class Preparer {
     if (waters == 0) return;
     if (options_.keep_waters) return note(counted(waters, "water kept", "waters kept"));
     take_out(is_water, "water");
-    note(counted(waters, "water taken out", "waters taken out"));
+    now_.left_out.push_back(counted(waters, "water", "waters"));
+    note(now_.left_out.back() + " taken out");
+  }
+
+  void take_out_additives() {
+    const Additives found = find_additives(now_.structure, options_.keep);
+    if (!found.at_metals.empty())
+      note("kept at metals: " + listed_residues(atoms(), found.at_metals));
+    if (found.out.empty()) return;
+    now_.left_out.push_back(counted(found.out.size(), "molecule", "molecules") +
+                            " of crystallisation: " + counted_names(atoms(), found.out) +
+                            " (--keep all keeps them)");
+    note("left out: " + now_.left_out.back());
+    std::vector<bool> is_out(atoms().residues.size());
+    for (std::uint32_t r : found.out) is_out[r] = true;
+    take_out([&](std::uint32_t r) { return is_out[r]; });
   }
 
   /// Files of membrane proteins draw the membrane so (OPM); nothing is there.
@@ -243,19 +261,10 @@ class Preparer {
   }
 
   void tell_of_ligands_without_hydrogens(const Survey& found) {
-    const ResidueAtoms residues(atoms());
-    std::vector<std::uint32_t> bare;
-    for (std::uint32_t r : found.ligands) {
-      const auto first = atoms().elements.begin();
-      const auto begin = first + residues.begin(r), end = first + residues.end(r);
-      const bool is_polar =
-          std::any_of(begin, end, [](std::uint8_t e) { return e == 7 || e == 8; });
-      if (is_polar && std::find(begin, end, 1) == end) bare.push_back(r);
-    }
+    const std::vector<std::uint32_t> bare = ligands_without_hydrogens(atoms(), found);
     if (!bare.empty())
-      now_.missing.push_back(
-          "hydrogens of " + listed_residues(atoms(), bare) +
-          ": there is no rule for them, so these ligands donate no hydrogen bond");
+      now_.missing.push_back("hydrogens of " + listed_residues(atoms(), bare) +
+                             ": none were added, so these ligands cannot donate hydrogen bonds");
   }
 
   void find_floppy() {

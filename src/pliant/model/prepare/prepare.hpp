@@ -15,6 +15,8 @@ namespace pliant {
 
 struct PrepareOptions {
   bool keep_waters = false;
+  /// Residue names of additives of crystallisation to keep (crystal_additives()), or "all".
+  std::vector<std::string> keep = {};
   bool fill_side_chains = false;            ///< complete side chains by rule: see side_chains.hpp
   bool add_hydrogens = true;                ///< polar hydrogens by rule, where there are none
   bool all_hydrogens = false;               ///< hydrogens on carbon, too
@@ -32,7 +34,9 @@ struct Preparation {
   std::vector<std::uint32_t> origin;
   std::vector<std::string> steps;    ///< what was done, one sentence each, in order
   std::vector<std::string> missing;  ///< what the structure lacks and no rule adds
-  std::vector<bool> floppy;          ///< (R) residues whose contacts are left out; empty: none
+  std::vector<std::string>
+      left_out;              ///< "188 waters", "3 molecules of crystallisation: 3 GOL (...)"
+  std::vector<bool> floppy;  ///< (R) residues whose contacts are left out; empty: none
 };
 
 /// A residue with less pLDDT is likely to have no fixed structure (Tunyasuvunakool et al., Nature
@@ -41,6 +45,8 @@ inline constexpr double disordered_below = 50.0;
 
 /// Prepares a structure whose bonds are known (perceive_bonds):
 /// - waters are removed, unless they are to be kept;
+/// - so are additives of crystallisation, where there is a protein or nucleic acid, unless they are
+///   bonded to something else, hold a metal, or are to be kept (additives.hpp);
 /// - selenium of MSE (and SEC) becomes the sulphur of MET (CYS), at the same position;
 /// - ligands and metals are kept, with the bonds from the file or by distance;
 /// - side chains are completed by rule, if asked for;
@@ -48,9 +54,9 @@ inline constexpr double disordered_below = 50.0;
 /// - polar hydrogens (on N, O, S) are placed by rule where a residue's part has no hydrogen, with
 ///   protonation according to protonation.hpp; existing hydrogens are kept;
 /// - hydrogens on carbon are placed by rule where a carbon has none, if asked for.
-/// Deterministic; linear in the number of atoms. Throws OptionError for a `protonate` that names no
-/// residue or no form of it; InputError naming the structure's file if it has nothing but waters or
-/// CA atoms.
+/// Deterministic; linear in the number of atoms. Throws OptionError for a `keep` that names no
+/// additive and a `protonate` that names no residue or no form of it; InputError naming the
+/// structure's file if it has nothing but waters or CA atoms.
 Preparation prepare(const Structure& structure, const PrepareOptions& options = {});
 
 }  // namespace pliant

@@ -197,6 +197,18 @@ std::vector<std::string> missing_parts(const Structure& structure, const Survey&
   return lines;
 }
 
+std::vector<std::uint32_t> ligands_without_hydrogens(const AtomTable& atoms, const Survey& survey) {
+  const ResidueAtoms residues(atoms);
+  std::vector<std::uint32_t> bare;
+  for (std::uint32_t r : survey.ligands) {
+    const auto first = atoms.elements.begin();
+    const auto begin = first + residues.begin(r), end = first + residues.end(r);
+    const bool is_polar = std::any_of(begin, end, [](std::uint8_t e) { return e == 7 || e == 8; });
+    if (is_polar && std::find(begin, end, 1) == end) bare.push_back(r);
+  }
+  return bare;
+}
+
 std::vector<double> residue_b_factors(const Structure& structure) {
   std::vector<double> sums(structure.atoms.residues.size(), 0.0), counts(sums.size(), 0.0);
   for (std::size_t i = 0; i < structure.b_factors.size(); ++i) {

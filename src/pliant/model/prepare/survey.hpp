@@ -55,6 +55,9 @@ std::vector<std::string> found_parts(const Structure& structure, const Survey& s
 /// Lists what is missing, one line each, except hydrogens, which preparation places.
 std::vector<std::string> missing_parts(const Structure& structure, const Survey& survey);
 
+/// Ligands with N or O and without any hydrogen.
+std::vector<std::uint32_t> ligands_without_hydrogens(const AtomTable& atoms, const Survey& survey);
+
 /// (R) mean B factor of each residue.
 std::vector<double> residue_b_factors(const Structure& structure);
 

@@ -103,7 +103,7 @@ ContactModel contact_model(const Structure& structure, const ModelOptions& optio
   Preparation ready = prepare(structure, preparing);
   std::vector<MolecularContact> contacts = contacts_for(ready, options);
   return {std::move(ready.structure), std::move(contacts), std::move(ready.steps),
-          std::move(ready.missing)};
+          std::move(ready.missing), std::move(ready.left_out)};
 }
 
 }  // namespace pliant

@@ -46,8 +46,9 @@ Rigidity analyse_rigidity(const Structure& structure, std::span<const MolecularC
 struct ContactModel {
   Structure structure;
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> notes;    ///< what was done, one sentence each
-  std::vector<std::string> missing;  ///< what the structure lacks
+  std::vector<std::string> notes;     ///< what was done, one sentence each
+  std::vector<std::string> missing;   ///< what the structure lacks
+  std::vector<std::string> left_out;  ///< what of the file is not in it: see Preparation
 };
 
 /// Prepares a structure and finds its contacts, or takes those of the options. Linear in the number

@@ -35,7 +35,7 @@ struct Messages {
   std::vector<std::string> lines;
   Log log() {
     return {[this](Severity severity, std::string_view line) {
-      lines.push_back((severity == Severity::note ? "note: " : "warning: ") + std::string(line));
+      lines.push_back((severity == Severity::warning ? "warning: " : "note: ") + std::string(line));
     }};
   }
 };

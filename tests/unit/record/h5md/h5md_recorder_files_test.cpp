@@ -27,7 +27,7 @@ TEST(H5mdRecorder, ReplacesAFileOnlyWhenItMay) {
   const std::string path = (directory / "run.h5md").string();
   std::ofstream(path) << "precious";
   EXPECT_EQ(message_of<FileError>([&] { H5mdRecorder(path, chain(2)); }),
-            path + ": exists already, and was not to be overwritten");
+            path + ": exists already; overwrite replaces it");
   EXPECT_EQ(content_of(path), "precious");
   record_file(path, 4, 2, {.overwrite = true});
   EXPECT_EQ(H5mdReader(path).frames(), 2);
@@ -160,7 +160,7 @@ TEST(H5mdRecorder, NamesTheProcessThatWrites) {
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   EXPECT_EQ(message_of<FileError>([&] { H5mdRecorder(path, chain(4)); }),
-            path + ": exists already, and was not to be overwritten");
+            path + ": exists already; overwrite replaces it");
   EXPECT_NO_THROW(H5mdRecorder(path, chain(4), {}, {.overwrite = true}));
 }
 

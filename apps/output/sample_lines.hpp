@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The result of pliant sample in a few lines.
+#pragma once
+
+#include "output/sample_report.hpp"
+
+namespace pliant::app {
+
+/// At most seven lines: molecule, what was left out, contacts, frames, how good they are, where
+/// they are, and what to do next.
+void print_sample_lines(const SampleSettings& settings, const SampledSystem& system,
+                        const SampleSummary& summary);
+
+}  // namespace pliant::app
