@@ -9,6 +9,16 @@ from pathlib import Path
 from pliant._core import OptionError
 
 
+def start_beside(trajectory: str | os.PathLike[str]) -> Path:
+    """The PDB file of names, bonds and the start that the commands write beside a trajectory.
+
+    For x.h5md that is x.pdb; x-topology.pdb where x.pdb is what was sampled.
+    """
+    path = Path(trajectory)
+    named = path.with_name(f"{path.stem}-topology.pdb")
+    return named if named.is_file() else path.with_suffix(".pdb")
+
+
 def is_pdb_name(output: str | os.PathLike[str]) -> bool:
     """Whether frames become the models of a PDB file."""
     return Path(output).suffix.lower() in (".pdb", ".ent")
@@ -19,6 +29,6 @@ def check_trajectory_name(output: str | os.PathLike[str]) -> None:
     ending = Path(output).suffix.lower()
     if ending in (".cif", ".dcd", ".mmcif", ".trr", ".xtc", ".xyz"):
         raise OptionError(
-            f"output {os.fspath(output)}: trajectories are written as H5MD or PDB; "
-            f"pliant convert makes {ending[1:].upper()} of them"
+            f"output = {os.fspath(output)!r}: trajectories are written as H5MD or PDB; of these "
+            f'pliant.convert("out.h5md", {os.fspath(output)!r}) makes {ending[1:].upper()}'
         )

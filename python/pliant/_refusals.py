@@ -23,6 +23,7 @@ _WORDS = {
     "int": "a whole number",
     "float": "a number",
     "str": "a text",
+    "Literal": "a text",
     "bool": "True or False",
     "None": "None",
     "PathLike": "a path",
@@ -46,7 +47,18 @@ def refuse(
     if least is not None and most is not None and _is_whole(value):
         wanted = f"a whole number from {least} to {most}"
         raise OptionError(f"{name} = {shown(value)}: must be {wanted}")
-    raise TypeError(f"{name} = {shown(value)}: must be {_wanted(annotation)}")
+    raise TypeError(f"{name} = {shown(value)}: must be {_wanted(annotation)}{_nearest(value, annotation)}")
+
+
+def _nearest(value: object, annotation: str) -> str:
+    """The whole number that a text or a fraction may have meant."""
+    if "int" not in _kinds(annotation):
+        return ""
+    try:
+        number = int(float(value))  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        return ""
+    return f", such as {number}"
 
 
 def refuse_call(function: Any, positional: Sequence[object], named: Mapping[str, object]) -> None:
@@ -91,7 +103,11 @@ def _refuse_out_of_range(name: str, value: int, annotation: str) -> None:
 
 def _refuse_contents(parameters: Mapping[str, str], given: Mapping[str, object]) -> None:
     """Refuses the first sequence: its items were not looked at, so one of them must be wrong."""
-    nested = [name for name in given if "[" in parameters[name] and given[name] is not None]
+    nested = [
+        name
+        for name in given
+        if "[" in parameters[name] and "Literal" not in parameters[name] and given[name] is not None
+    ]
     for name in nested[:1]:
         refuse(name, given[name], parameters[name])
 
@@ -162,7 +178,7 @@ def _is_of(value: object, kind: str) -> bool:
         return isinstance(value, bool)
     if kind == "None":
         return value is None
-    if kind == "str":
+    if kind in ("str", "Literal"):
         return isinstance(value, str)
     if kind in ("PathLike", "Path"):
         return isinstance(value, (str, os.PathLike))

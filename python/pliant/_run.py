@@ -25,6 +25,8 @@ from pliant._run_outputs import (
     without_h5md,
     write_topology,
 )
+from pliant._trajectory.results import MOST_KEPT, RunResult
+from pliant._trajectory.sources import Molecule, structure_of
 
 #: A technique of your own: called with (positions, sweep, framework) it makes one sweep.
 Sweep = Callable[[npt.NDArray[np.float64], int, _core.Framework], None]
@@ -38,7 +40,7 @@ Ordering = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
 
 @checked()
 def run(
-    framework: _core.Framework | _core.Structure | str | os.PathLike[str],
+    framework: _core.Framework | _core.Structure | Molecule,
     state: _core.State | npt.ArrayLike | None = None,
     output: str | os.PathLike[str] | None = None,
     *,
@@ -78,7 +80,7 @@ def run(
     save: str = "",
     flush_seconds: float = 1.0,
     durable: bool = False,
-) -> _core.RunSummary:
+) -> RunResult:
     """Push a framework again and again, resolve the bars that break, and record each step.
 
     Each step breaks bars by a perturbation (position Verlet: Verlet, Phys. Rev. 159 (1967) 98; or
@@ -89,9 +91,10 @@ def run(
 
     Parameters
     ----------
-    framework : Framework, Structure or path
-        The framework of a structure is built with `bars`, `lengths` and `pin`. A file is read as
-        the command does: a molecule with the bonds that it lacks perceived, or graph XML.
+    framework : Framework, Structure, path, Universe, AtomGroup, rdkit.Chem.Mol, ...
+        A framework, or a molecule as `sample` takes it, whose framework is built with `bars`,
+        `lengths` and `pin`. A file is read as the command does: a molecule with the bonds that it
+        lacks perceived, or graph XML.
     state : State or (N, 3) Angstrom, optional
         Where to start. A State is changed in place; positions are copied. Default: those of the
         structure.
@@ -140,9 +143,9 @@ def run(
 
     Returns
     -------
-    RunSummary
-        Its `state` is where the run ended. Steps that did not converge are counted; they raise
-        nothing.
+    RunResult
+        A RunSummary with the frames. Its `state` is where the run ended. Steps that did not converge
+        are counted; they raise nothing.
 
     Raises
     ------
@@ -186,7 +189,9 @@ def run(
     if output is None or is_pdb_name(output):
         refuse_options_of_h5md(output, save, precision)
         steps_to = partial(_core.run_steps, framework, start, options)
-        return without_h5md(steps_to, output, structure, overwrite, observers, forces)
+        keep = output is None and _are_kept(framework, options)
+        made = without_h5md(steps_to, output, structure, overwrite, observers, forces, keep)
+        return RunResult(made, structure, output)
     recorder = _core.H5mdRecorder(
         output,
         framework,
@@ -201,7 +206,8 @@ def run(
         run=options,
     )
     with recorder:
-        return _core.run_steps(framework, start, options, [recorder, *observers], forces)
+        made = _core.run_steps(framework, start, options, [recorder, *observers], forces)
+    return RunResult(made, structure, output)
 
 
 @checked()
@@ -212,7 +218,7 @@ def continue_run(
     observers: Iterable[Observer] = (),
     flush_seconds: float = 1.0,
     durable: bool = False,
-) -> _core.RunSummary:
+) -> RunResult:
     """Go on with the run of an H5MD file, as if it had never stopped.
 
     The file holds the framework, every option and where the run was, after its end, Ctrl-C or a
@@ -234,8 +240,8 @@ def continue_run(
 
     Returns
     -------
-    RunSummary
-        Of the steps that were done now.
+    RunResult
+        A RunSummary of the steps that were done now; its frames are all of the file.
 
     Raises
     ------
@@ -249,13 +255,20 @@ def continue_run(
     checkpoint = _core.read_checkpoint(path, steps)
     options = checkpoint.options
     with checkpoint.recorder(flush_seconds, durable) as recorder:
-        return _core.run_steps(
+        made = _core.run_steps(
             checkpoint.framework, checkpoint.state, options, [recorder, *observers], None
         )
+    return RunResult(made, None, path)
+
+
+def _are_kept(framework: _core.Framework, options: _core.RunOptions) -> bool:
+    """Whether frames of a run without output are few enough to stay in memory."""
+    frames = options.steps // max(options.every, 1) + 2
+    return frames * framework.joint_count * 24 <= MOST_KEPT
 
 
 def _opened(
-    source: _core.Framework | _core.Structure | str | os.PathLike[str],
+    source: _core.Framework | _core.Structure | Molecule,
     state: _core.State | npt.ArrayLike | None,
     select: str,
 ) -> tuple[_core.Framework | _core.Structure, _core.State | npt.ArrayLike | None]:
@@ -263,12 +276,12 @@ def _opened(
     is_graph = isinstance(source, (str, os.PathLike)) and Path(source).suffix == ".xml"
     if select and (is_graph or isinstance(source, _core.Framework)):
         raise TypeError("run: select is for a structure, or a file of one")
-    if not isinstance(source, (str, os.PathLike)):
+    if isinstance(source, _core.Framework):
         return source, state
-    if Path(source).suffix == ".xml":
+    if is_graph:
         graph = _core.read_graph_xml(source)
         return graph.framework, graph.positions if state is None else state
-    return _core.read(source), state
+    return structure_of(source), state
 
 
 def _built(

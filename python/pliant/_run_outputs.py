@@ -25,10 +25,11 @@ def without_h5md(
     overwrite: bool,
     observers: Iterable[Observer],
     forces: _core.ForceRecorder | None,
+    keep: bool,
 ) -> _core.RunSummary:
-    """A run that writes no frames, or models of a PDB file."""
+    """A run that writes no frames, but may keep them in memory, or models of a PDB file."""
     if output is None:
-        return steps_to(list(observers), forces)
+        return steps_to(list(observers), forces, keep)
     if structure is None:
         raise TypeError("run: models of a PDB file need a structure")
     with _core.PdbRecorder(output, structure, overwrite=overwrite) as models:

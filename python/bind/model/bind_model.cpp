@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Models of molecules: preparation, contacts, and the framework that they make.
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "messages.hpp"
 #include "model/molecular_contacts.hpp"
 #include "molecule/structure.hpp"
+#include "option_fields.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/model/model.hpp"
 #include "tables.hpp"
@@ -23,25 +26,40 @@ PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> proton
   return options;
 }
 
-Preparation prepare_structure(const Structure& structure, bool keep_waters, bool add_hydrogens,
+Preparation prepare_structure(const nb::object& molecule, bool keep_waters, bool add_hydrogens,
                               std::vector<std::string> protonate, double floppy_below,
                               bool fill_side_chains, bool all_hydrogens) {
   PrepareOptions options = prepare_options(keep_waters, std::move(protonate), floppy_below,
                                            fill_side_chains, all_hydrogens);
   options.add_hydrogens = add_hydrogens;
+  const nb::object given = structure_from(molecule);
+  const auto& structure = nb::cast<const Structure&>(given);
   const nb::gil_scoped_release no_gil;
   return prepare(structure, options);
 }
 
-nb::object contacts_of(const Structure& structure, double hbond_cutoff,
+/// Without hydrogens, hydrogen bonds are not found.
+bool lacks_hydrogens(const Structure& structure) {
+  const auto& elements = structure.atoms.elements;
+  return usual_model(structure) == ModelKind::protein &&
+         std::find(elements.begin(), elements.end(), 1) == elements.end();
+}
+
+nb::object contacts_of(const nb::object& molecule, double hbond_cutoff,
                        std::vector<std::string> more_contacts) {
   ModelOptions options;
+  const nb::object given = structure_from(molecule);
+  const auto& structure = nb::cast<const Structure&>(given);
+  if (lacks_hydrogens(structure))
+    python_log().warn(
+        "contacts: the molecule has no hydrogens, so no hydrogen bond is found: "
+        "pliant.contacts(pliant.prepare(molecule).structure)");
   options.more_contacts = std::move(more_contacts);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   return contacts_to_python(find_contacts(structure, options));
 }
 
-MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
+MolecularModel model_of(const nb::object& molecule, const std::string& model, bool keep_waters,
                         std::vector<std::string> protonate, double floppy_below,
                         double hbond_cutoff, const nb::object& contacts, const std::string& pin,
                         bool fill_side_chains, bool all_hydrogens, bool free_torsions,
@@ -56,6 +74,8 @@ MolecularModel model_of(const Structure& structure, const std::string& model, bo
   options.torsions = !free_torsions;
   options.log = python_log();
   if (!contacts.is_none()) options.contacts = contacts_from(contacts);
+  const nb::object given = structure_from(molecule);
+  const auto& structure = nb::cast<const Structure&>(given);
   const nb::gil_scoped_release no_gil;
   return build_model(structure, options);
 }
@@ -72,8 +92,8 @@ constexpr const char* prepare_doc =
 
 Parameters
 ----------
-structure : Structure
-    With its bonds, as ``read`` gives it.
+structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
+    A molecule, as ``sample`` takes it.
 keep_waters : bool
 add_hydrogens : bool
     Place polar hydrogens (on N, O, S) by rule where a residue has none.
@@ -102,8 +122,8 @@ constexpr const char* contacts_doc =
 
 Parameters
 ----------
-structure : Structure
-    With its bonds and polar hydrogens: that of ``prepare``.
+structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
+    A molecule, as ``sample`` takes it, with polar hydrogens: ``prepare`` adds them.
 hbond_cutoff : float
     kcal/mol: hydrogen bonds of no lower energy are left out.
 more_contacts : sequence of str
@@ -120,6 +140,11 @@ Raises
 ------
 OptionError
     An unknown kind.
+
+Warns
+-----
+PliantWarning
+    A protein or nucleic acid without hydrogens.
 )";
 
 constexpr const char* build_doc =
@@ -127,8 +152,8 @@ constexpr const char* build_doc =
 
 Parameters
 ----------
-structure : Structure
-    With its bonds, as ``read`` gives it.
+structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
+    A molecule, as ``sample`` takes it.
 model : str
     A name in ``models()``: ``bonds``, ``angles``, ``molecule`` or ``protein``.
 keep_waters, protonate, floppy_below
@@ -169,6 +194,11 @@ void bind_preparation(nb::module_& module) {
   module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
              "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
              "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
+             nb::sig(("def prepare(structure: " + std::string(any_molecule) +
+                      ", *, keep_waters: bool = False, add_hydrogens: bool = True, "
+                      "protonate: collections.abc.Sequence[str] = (), floppy_below: float = 0.0, "
+                      "fill_side_chains: bool = False, all_hydrogens: bool = False) -> Preparation")
+                         .c_str()),
              prepare_doc);
 }
 
@@ -221,15 +251,16 @@ void bind_built_model(nb::module_& module) {
 
 void bind_model(nb::module_& module) {
   const ModelOptions usual;
+  const std::string any = any_molecule;
   bind_preparation(module);
   bind_contact_kinds(module);
   bind_built_model(module);
   module.def("contacts", &contacts_of, "structure"_a, nb::kw_only(),
              "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
              "more_contacts"_a = std::vector<std::string>{},
-             nb::sig("def contacts(structure: Structure, *, hbond_cutoff: float = -1.0, "
+             nb::sig(("def contacts(structure: " + any + ", *, hbond_cutoff: float = -1.0, "
                      "more_contacts: collections.abc.Sequence[str] = ()) -> "
-                     "numpy.typing.NDArray[numpy.void]"),
+                     "numpy.typing.NDArray[numpy.void]").c_str()),
              contacts_doc);
   module.def("build_model", &model_of, "structure"_a, "model"_a = "protein", nb::kw_only(),
              "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{},
@@ -237,13 +268,14 @@ void bind_model(nb::module_& module) {
              "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
              "all_hydrogens"_a = false, "free_torsions"_a = false,
              "more_contacts"_a = std::vector<std::string>{},
-             nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
+             nb::sig(("def build_model(structure: " + any + ", model: " +
+                      literal_type(names_of(models())) + " = \"protein\", *, "
                      "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
                      "fill_side_chains: bool = False, all_hydrogens: bool = False, "
                      "free_torsions: bool = False, "
-                     "more_contacts: collections.abc.Sequence[str] = ()) -> MolecularModel"),
+                     "more_contacts: collections.abc.Sequence[str] = ()) -> MolecularModel").c_str()),
              build_doc);
 }
 

@@ -37,9 +37,8 @@ ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& 
     return {model.structure, options.contacts ? *options.contacts : model.contacts, model.notes,
             model.missing};
   }
-  if (!nb::isinstance<Structure>(argument))
-    throw nb::type_error("structure: expected a Structure or a MolecularModel");
-  const auto& structure = nb::cast<const Structure&>(argument);
+  const nb::object given = structure_from(argument);
+  const auto& structure = nb::cast<const Structure&>(given);
   const nb::gil_scoped_release no_gil;
   return contact_model(structure, options);
 }
@@ -130,9 +129,9 @@ the cut-off of hydrogen bonds (``Rigidity.dilution``).
 
 Parameters
 ----------
-structure : Structure or MolecularModel
-    A structure with its bonds, as ``read`` gives it, which is prepared first; or a model, which is
-    taken with its contacts as it is.
+structure : Structure, path, Universe, AtomGroup, rdkit.Chem.Mol or MolecularModel
+    A molecule, as ``sample`` takes it, which is prepared first; or a model, which is taken with its
+    contacts as it is.
 hbond_cutoff : float
     As in ``contacts``.
 contacts : array, optional
@@ -353,7 +352,8 @@ void bind_rigidity(nb::module_& module) {
            " degrees of freedom of " + std::to_string(self.rigidity.network.atoms) + " atoms>";
   });
   const std::string signature =
-      "def rigidity(structure: Structure | MolecularModel, *, hbond_cutoff: float = -1.0, "
+      "def rigidity(structure: MolecularModel | " + std::string(any_molecule) +
+      ", *, hbond_cutoff: float = -1.0, "
       "contacts: numpy.typing.ArrayLike | None = None, keep_waters: bool = False, "
       "protonate: collections.abc.Sequence[str] = (), "
       "more_contacts: collections.abc.Sequence[str] = (), " +

@@ -51,7 +51,8 @@ void end_runs(const std::vector<LockedRecorder*>& recorders, const State& state)
 }
 
 OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
-                          const std::vector<nb::object>& observers, ForceRecorder* forces) {
+                          const std::vector<nb::object>& observers, ForceRecorder* forces,
+                          bool keep) {
   check_pushes(framework, options.replay);
   show_framework(options.technique, framework);
   const StateInUse in_use(nb::cast<const State&>(state));
@@ -71,7 +72,11 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
     if (nb::isinstance<LockedRecorder>(observer))
       recorders.push_back(&nb::cast<LockedRecorder&>(observer));
   }
-  all.push_back([&](const Frame&) { return watch(done); });
+  std::vector<Vec3> kept;
+  all.push_back([&](const Frame& frame) {
+    if (keep) kept.insert(kept.end(), frame.positions.begin(), frame.positions.end());
+    return watch(done);
+  });
   RunSummary summary;
   {
     State& moved = nb::cast<State&>(state);
@@ -81,7 +86,7 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
     end_runs(recorders, moved);
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
-  return {summary, nb::borrow(state)};
+  return {summary, nb::borrow(state), std::move(kept)};
 }
 
 /// The attribute of one row of the table of options.
@@ -218,6 +223,19 @@ void bind_run_summary(nb::module_& module) {
           "ns_per_bar_and_sweep",
           [](const OwnedRunSummary& self) { return self.ns_per_bar_and_sweep(); },
           "Resolve time over projections, nanoseconds.")
+      .def(
+          "__init__",
+          [](OwnedRunSummary* self, OwnedRunSummary& other) {
+            new (self) OwnedRunSummary(std::move(other));
+          },
+          "other"_a, "Takes what `other` holds.")
+      .def(
+          "_kept",
+          [](nb::handle_t<OwnedRunSummary> self) {
+            auto& summary = nb::cast<OwnedRunSummary&>(self);
+            return view_of(summary.kept, self);
+          },
+          "(F * N, 3) float64 view, Angstrom: frames that were kept in memory.")
       .def("__repr__", [](const OwnedRunSummary& self) {
         return "<pliant.RunSummary: " + std::to_string(self.steps) + " steps, " +
                std::to_string(self.frames) + " frames, " + std::to_string(self.unconverged_steps) +
@@ -232,7 +250,7 @@ void bind_run(nb::module_& module) {
   bind_force_recorder(module);
   bind_run_summary(module);
   module.def("run_steps", &run_steps, "framework"_a, "state"_a, "options"_a, "observers"_a,
-             "forces"_a = nb::none(),
+             "forces"_a = nb::none(), "keep"_a = false,
              "Steps ``state`` on and shows frames to observers; the function ``run`` says more.");
 }
 

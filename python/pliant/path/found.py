@@ -7,14 +7,23 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant._core import MolecularModel, PathFrame, PathOptions, TightPlace, tight_places
+from pliant._core import (
+    MolecularModel,
+    PathFrame,
+    PathOptions,
+    Structure,
+    TightPlace,
+    tight_places,
+)
 from pliant._display import Displayed, Facts
+from pliant._trajectory.frames import FramesInMemory
+from pliant._trajectory.trajectory import HasFrames, Trajectory
 
 __all__ = ["MolecularPath", "PathFrame", "TightPlace"]
 
 
 @dataclass
-class MolecularPath(Displayed):
+class MolecularPath(HasFrames, Displayed):
     """A path, and what it took."""
 
     model: MolecularModel = field(repr=False)  #: of the start, with the contacts that both have
@@ -30,6 +39,16 @@ class MolecularPath(Displayed):
     #: degrees: the largest turn of a piece that the way was guessed with; 0 where it is straight
     turned: float = 0.0
     seconds: float = 0.0
+
+    @property
+    def structure(self) -> Structure:
+        """The molecule of the start, prepared."""
+        return self.model.structure
+
+    @property
+    def trajectory(self) -> Trajectory:
+        """The frames, in memory."""
+        return Trajectory._of(FramesInMemory(self.structure, self.positions))
 
     @property
     def reached(self) -> float:

@@ -53,6 +53,10 @@ bool has_flat_tetrahedron(const Structure& structure) {
   return false;
 }
 
+std::string name_of(const Structure& structure) {
+  return structure.source.empty() ? "molecule.sdf" : structure.source;
+}
+
 bool has_hydrogens(const Structure& structure) {
   const auto& elements = structure.atoms.elements;
   return std::find(elements.begin(), elements.end(), 1) != elements.end();
@@ -76,8 +80,10 @@ bool is_drawing(const Structure& structure) {
 void refuse_drawing(const Structure& structure) {
   if (!is_drawing(structure)) return;
   const std::string message =
-      "this is a 2-D drawing (all z are 0): make a 3-D structure first, e.g. with RDKit's AddHs "
-      "and EmbedMolecule, or give a 3-D file";
+      "this is a 2-D drawing (all z are 0): make a 3-D structure first, in Python by RDKit: "
+      "molecule = Chem.AddHs(Chem.MolFromMolFile(\"" + name_of(structure) + "\")); "
+      "AllChem.EmbedMolecule(molecule, randomSeed=1); "
+      "Chem.MolToMolFile(molecule, \"molecule_3d.sdf\")";
   throw InputError(structure.source.empty() ? message : at({structure.source}, message));
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant convert``: an H5MD trajectory in a format that other programs read."""
+"""Frames in a format that other programs read."""
 
 from __future__ import annotations
 
@@ -21,28 +21,9 @@ from pliant._cif_models import write_models
 from pliant._core import InputError, OptionError
 from pliant._extras import need
 from pliant._superposition import Superposition
-from pliant.ensemble.plan import is_ensemble
-from pliant.ensemble.shards_reader import ShardsReader
-
-EPILOG = """\
-The name of OUT says the format: .pdb or .cif (one model per frame), .dcd, .xtc, .trr or .xyz. PDB
-and mmCIF are written by Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]").
-H5MD keeps every digit; PDB keeps 0.001 Angstrom, mmCIF and XYZ 0.00001, XTC 0.01, DCD and TRR
-32-bit floats. Observables and bars are left out. mmCIF has no bonds: programs know them from the
-names of residues. DCD, XTC and TRR have only positions: open them with the PDB file that pliant
-run writes beside its trajectory.
-
-exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
-
-examples:
-  pliant convert out.h5md -o out.xtc
-  pliant convert out.h5md -o ca.pdb --select "name CA" --every 10 --superpose
-  pliant convert many -o many.dcd          the folder of pliant ensemble, walker after walker
-"""
-
-
-Reader: TypeAlias = "_core.H5mdReader | ShardsReader"
-
+from pliant._trajectory.results import SampledEnsemble
+from pliant._trajectory.sources import Molecule
+from pliant._trajectory.trajectory import HasFrames, Trajectory
 
 @dataclass
 class Converted:
@@ -55,7 +36,7 @@ class Converted:
 
 
 def convert(
-    source: str | os.PathLike[str],
+    source: HasFrames | Molecule,
     output: str | os.PathLike[str],
     *,
     select: str = "",
@@ -63,13 +44,15 @@ def convert(
     superpose: bool = False,
     overwrite: bool = False,
 ) -> Converted:
-    """Writes the frames of an H5MD file, or of an ensemble, in the format that `output` asks for.
+    """Writes frames in the format that `output` asks for.
 
     Parameters
     ----------
-    source, output : path
-        An ensemble is a folder of ``pliant ensemble``, or the ``ensemble.pliant`` in it.
-        Endings of `output`: .pdb, .ent, .cif, .mmcif, .dcd, .xtc, .trr, .xyz.
+    source : path, SampledEnsemble, RunResult, MolecularPath, Trajectory, Universe, ...
+        What a `Trajectory` is made of. Paths are of an H5MD file, of models (PDB, mmCIF, SDF), or of
+        an ensemble: a folder of ``pliant ensemble``, or the ``ensemble.pliant`` in it.
+    output : path
+        Ends in .h5md, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, .trr or .xyz.
     select : str
         Atoms that are written; "": all.
     every : int
@@ -84,7 +67,7 @@ def convert(
     OptionError
         The format is not known, or `select` chooses nothing.
     MissingPackageError
-        MDAnalysis is needed and not there.
+        MDAnalysis or RDKit is needed and not there.
     InputError, FileError
         The files cannot be read or written. `output` is then as it was before.
     """
@@ -92,38 +75,33 @@ def convert(
     if ending not in FORMATS:
         known = ", ".join(FORMATS)
         raise OptionError(f"{os.fspath(output)}: expected a name that ends in {known}")
-    name, write = FORMATS[ending]
-    if write is _write_with_mdanalysis:
-        need(f"writing {name}", "MDAnalysis")
+    name, write, package = FORMATS[ending]
+    if package:
+        need(f"writing {name}", package)
     _refuse(source, output, overwrite)
-    reader = ShardsReader(source) if is_ensemble(source) else _core.H5mdReader(os.fspath(source))
-    if len(reader) == 0:
-        raise InputError(f"{os.fspath(source)}: holds no frame")
-    structure = _structure_of(reader)
+    trajectory = Trajectory(source)
+    if len(trajectory) == 0:
+        raise InputError(f"{trajectory.structure.source}: holds no frame")
+    structure = trajectory.structure
     atoms = _chosen(structure, select)
     part = structure if len(atoms) == len(structure) else _part_of(structure, select)
-    frames = _frames(reader, atoms, every, superpose)
+    if ending in (".h5md", ".h5") and isinstance(source, SampledEnsemble) and every == 1:
+        source.record(output, overwrite=overwrite, save=select)  # with all that is known of it
+        return Converted(os.fspath(output), name, len(trajectory), len(atoms))
+    frames = _frames(trajectory, atoms, every, superpose)
     count = write(os.fspath(output), part, frames, overwrite)
     return Converted(os.fspath(output), name, count, len(atoms))
 
 
 def _refuse(
-    source: str | os.PathLike[str], output: str | os.PathLike[str], overwrite: bool
+    source: HasFrames | Molecule, output: str | os.PathLike[str], overwrite: bool
 ) -> None:
-    if os.path.exists(source) and os.path.exists(output) and os.path.samefile(source, output):
+    path = Trajectory(source).path if isinstance(source, HasFrames) else source
+    is_file = isinstance(path, (str, os.PathLike)) and os.path.exists(path)
+    if is_file and os.path.exists(output) and os.path.samefile(path, output):
         raise OptionError(f"{os.fspath(output)}: is both input and output")
     if not overwrite and os.path.exists(output):
         raise _core.FileError(f"{os.fspath(output)}: exists; --overwrite replaces it")
-
-
-def _structure_of(reader: Reader) -> _core.Structure:
-    """The atoms that were recorded; nameless ones of files that have no names."""
-    try:
-        return reader.structure(0)
-    except InputError as error:
-        if "no atom table" not in str(error):
-            raise
-        return _core.Structure(reader.positions(0))
 
 
 def _chosen(structure: _core.Structure, select: str) -> np.ndarray:
@@ -150,22 +128,56 @@ def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
         return structure.select(select)
 
 
-def _frames(reader: Reader, atoms: np.ndarray, every: int, superpose: bool) -> Iterator[_Moment]:
+def _frames(
+    trajectory: Trajectory, atoms: np.ndarray, every: int, superpose: bool
+) -> Iterator[_Moment]:
     fit: Superposition | None = None
-    for frame in range(0, len(reader), every):
-        positions = np.asarray(reader.positions(frame))[atoms]
+    for frame in range(0, len(trajectory), every):
+        positions = trajectory[frame][atoms]
         if superpose and fit is None:
             fit = Superposition(positions, np.ones(len(atoms)))
         elif fit is not None:
             positions = fit.apply(positions)
-        yield _Moment(positions, reader.step(frame), _time(reader, frame))
+        yield _Moment(positions, trajectory.step(frame), trajectory.time(frame))
 
 
-def _time(reader: Reader, frame: int) -> float:
-    try:
-        return reader.time(frame)
-    except InputError:  # the file has none
-        return float(frame)
+def _write_h5md(
+    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+) -> int:
+    framework = structure.framework("bonds")
+    with _core.H5mdRecorder(
+        output, framework, structure=structure, overwrite=overwrite
+    ) as recorder:
+        for moment in frames:
+            found = _core.measure(framework, moment.positions)
+            recorder.record(
+                _core.Frame(
+                    moment.step,
+                    moment.time,
+                    moment.positions,
+                    max_residual=found.max_relative,
+                    rms_residual=found.rms_relative,
+                )
+            )
+    return int(recorder.frames)
+
+
+def _write_sdf(
+    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+) -> int:
+    from rdkit import Chem
+
+    from pliant.adapters import to_rdkit
+
+    molecule = to_rdkit(structure)
+    conformer, count = molecule.GetConformer(), 0
+    with _beside(output, overwrite) as path, Chem.SDWriter(path) as writer:
+        for moment in frames:
+            conformer.SetPositions(np.ascontiguousarray(moment.positions))
+            molecule.SetIntProp("frame", moment.step)
+            writer.write(molecule)
+            count += 1
+    return count
 
 
 def _write_pdb(
@@ -210,18 +222,19 @@ def _write_with_mdanalysis(
     return count
 
 
-_PDB, _CIF = ("PDB, a model a frame", _write_pdb), ("mmCIF, a model a frame", _write_cif)
-
-#: Endings of names -> what they are, and what writes them.
+#: Endings of names -> what they are, what writes them, and the package that it needs.
 FORMATS = {
-    ".pdb": _PDB,
-    ".ent": _PDB,
-    ".cif": _CIF,
-    ".mmcif": _CIF,
-    ".dcd": ("DCD", _write_with_mdanalysis),
-    ".xtc": ("XTC", _write_with_mdanalysis),
-    ".trr": ("TRR", _write_with_mdanalysis),
-    ".xyz": ("XYZ", _write_with_mdanalysis),
+    ".h5md": ("H5MD", _write_h5md, ""),
+    ".h5": ("H5MD", _write_h5md, ""),
+    ".pdb": ("PDB, a model a frame", _write_pdb, ""),
+    ".ent": ("PDB, a model a frame", _write_pdb, ""),
+    ".cif": ("mmCIF, a model a frame", _write_cif, ""),
+    ".mmcif": ("mmCIF, a model a frame", _write_cif, ""),
+    ".sdf": ("SDF, a record a frame", _write_sdf, "rdkit"),
+    ".dcd": ("DCD", _write_with_mdanalysis, "MDAnalysis"),
+    ".xtc": ("XTC", _write_with_mdanalysis, "MDAnalysis"),
+    ".trr": ("TRR", _write_with_mdanalysis, "MDAnalysis"),
+    ".xyz": ("XYZ", _write_with_mdanalysis, "MDAnalysis"),
 }
 
 
@@ -247,61 +260,3 @@ def _take_name(path: str, output: str, overwrite: bool) -> None:
         raise _core.FileError(f"{output}: exists; --overwrite replaces it") from None
     except OSError:  # a file system without hard links
         os.rename(path, output)
-
-
-def make_parser() -> console.Parser:
-    """The options of pliant convert."""
-    parser = console.Parser(
-        "convert", "Writes an H5MD trajectory in a format that other programs read.", EPILOG
-    )
-    add = parser.add_argument
-    add(
-        "file",
-        metavar="IN",
-        help="H5MD trajectory of pliant run or sample, or the folder of an ensemble",
-    )
-    text = "file to write; its ending says the format"
-    add("-o", "--output", metavar="OUT", required=True, type=_file_name, help=text)
-    text = 'atoms that are written, such as "protein and name CA" (default: all)'
-    add("--select", metavar="WORDS", default="", help=text)
-    text = "only each Nth frame, from the first (default 1)"
-    add("--every", metavar="N", type=console.whole_number(1), default=1, help=text)
-    text = "superpose each frame on the first, by least squares over these atoms"
-    add("--superpose", action="store_true", help=text)
-    add("--overwrite", action="store_true", help="replace an existing OUT")
-    add("--json", action="store_true", help="print what was written as one JSON object")
-    add("--quiet", action="store_true", help="print nothing but errors")
-    return parser
-
-
-def _file_name(text: str) -> str:
-    if not text:
-        raise argparse.ArgumentTypeError("expected the name of a file, found nothing")
-    return text
-
-
-def main(words: Sequence[str] | None = None) -> int:
-    """Runs the command; returns its exit code."""
-    arguments = make_parser().parse_args(words)
-    return console.run_command("convert", lambda: _convert(arguments))
-
-
-def _convert(arguments: argparse.Namespace) -> int:
-    done = convert(
-        arguments.file,
-        arguments.output,
-        select=arguments.select,
-        every=arguments.every,
-        superpose=arguments.superpose,
-        overwrite=arguments.overwrite,
-    )
-    if arguments.json:
-        console.print_json(vars(done))
-    elif not arguments.quiet:
-        frames = console.counted(done.frames, "frame")
-        print(f"{done.path}: {frames} of {done.atoms} atoms, {done.format}")
-    return console.EXIT_OK
-
-
-if __name__ == "__main__":
-    sys.exit(main())
