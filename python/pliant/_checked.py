@@ -13,7 +13,7 @@ from typing import Any, ParamSpec, TypeVar
 import numpy as np
 
 from pliant._core import OptionError
-from pliant._refusals import fits, refuse, refuse_unknown, shown
+from pliant._refusals import fits, kinds_of, refuse, refuse_unknown, shown
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -89,5 +89,6 @@ def _look_at(name: str, value: object, annotation: str, every: Mapping[str, Want
         if wanted is None:
             refuse(name, value, annotation)
         raise TypeError(f"{name} = {shown(value)}: must be {wanted.words}")
-    if wanted is not None and value is not None and not wanted.holds(value):
+    is_left_out = value is None and "None" in kinds_of(annotation)
+    if wanted is not None and not is_left_out and not wanted.holds(value):
         raise wanted.error(f"{name} = {shown(value)}: must be {wanted.words}")

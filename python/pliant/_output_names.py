@@ -24,11 +24,19 @@ def is_pdb_name(output: str | os.PathLike[str]) -> bool:
     return Path(output).suffix.lower() in (".pdb", ".ent")
 
 
-def check_trajectory_name(output: str | os.PathLike[str]) -> None:
-    """Raises OptionError for names of formats into which trajectories are converted."""
+def check_trajectory_name(output: str | os.PathLike[str], function: str = "") -> None:
+    """Raises OptionError for names of formats into which trajectories are converted.
+
+    `function`: that of Python which was called; the message then has its line, not the command's.
+    """
     ending = Path(output).suffix.lower()
     if ending in (".cif", ".dcd", ".mmcif", ".trr", ".xtc", ".xyz"):
+        other = os.fspath(Path(output).with_suffix(".h5md"))
+        line = (
+            f'pliant.{function}(..., output="{other}").save("{os.fspath(output)}")'
+            if function
+            else f"pliant convert {other} -o {os.fspath(output)} makes {ending[1:].upper()} of one"
+        )
         raise OptionError(
-            f"output = {os.fspath(output)!r}: trajectories are written as H5MD or PDB; of these "
-            f'pliant.convert("out.h5md", {os.fspath(output)!r}) makes {ending[1:].upper()}'
+            f"output {os.fspath(output)}: trajectories are written as H5MD or PDB: {line}"
         )

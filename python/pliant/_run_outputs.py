@@ -73,7 +73,7 @@ def refuse_to_overwrite(
 ) -> None:
     """Refuses to write over the file that the structure was read from."""
     if trajectory is not None:
-        check_trajectory_name(trajectory)
+        check_trajectory_name(trajectory, "run")
     if structure is None or not os.path.exists(structure.source):
         return
     for output in (trajectory, *others):

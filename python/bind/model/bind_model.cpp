@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Models of molecules: preparation, contacts, and the framework that they make.
+#include <nanobind/stl/filesystem.h>
+
 #include <algorithm>
 
 #include "arrays.hpp"
@@ -8,6 +10,7 @@
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/model.hpp"
 #include "tables.hpp"
 
@@ -147,6 +150,29 @@ PliantWarning
     A protein or nucleic acid without hydrogens.
 )";
 
+constexpr const char* read_contacts_doc =
+    R"(Reads a file of contacts, as ``pliant contacts`` writes it and you may have changed it.
+
+Parameters
+----------
+path : str or path
+    CSV.
+structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
+    The prepared structure whose atoms the file names: that of ``prepare``, or of a model.
+
+Returns
+-------
+(C,) array
+    As ``contacts`` gives it; for `contacts` of ``build_model`` and ``rigidity``.
+
+Raises
+------
+InputError
+    A line that cannot be read, or names an atom that is not there; the message names both.
+FileError
+    The file cannot be read.
+)";
+
 constexpr const char* build_doc =
     R"(The model of a molecule: structure, bars, limits and sterics.
 
@@ -191,7 +217,7 @@ void bind_preparation(nb::module_& module) {
           nb::rv_policy::reference, "(R,) bool: residues whose contacts are left out; empty: none.")
       .def_ro("steps", &Preparation::steps, "What was done, line by line.")
       .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.");
-  module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
+  module.def("prepare", &prepare_structure, "structure"_a.none(), nb::kw_only(), "keep_waters"_a = false,
              "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
              "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
              nb::sig(("def prepare(structure: " + std::string(any_molecule) +
@@ -255,14 +281,25 @@ void bind_model(nb::module_& module) {
   bind_preparation(module);
   bind_contact_kinds(module);
   bind_built_model(module);
-  module.def("contacts", &contacts_of, "structure"_a, nb::kw_only(),
+  module.def("contacts", &contacts_of, "structure"_a.none(), nb::kw_only(),
              "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
              "more_contacts"_a = std::vector<std::string>{},
              nb::sig(("def contacts(structure: " + any + ", *, hbond_cutoff: float = -1.0, "
                      "more_contacts: collections.abc.Sequence[str] = ()) -> "
                      "numpy.typing.NDArray[numpy.void]").c_str()),
              contacts_doc);
-  module.def("build_model", &model_of, "structure"_a, "model"_a = "protein", nb::kw_only(),
+  module.def(
+      "read_contacts",
+      [](const std::filesystem::path& path, const nb::object& molecule) {
+        const nb::object given = structure_from(molecule);
+        return contacts_to_python(read_contacts(path, nb::cast<const Structure&>(given)));
+      },
+      "path"_a, "structure"_a.none(),
+      nb::sig(("def read_contacts(path: str | os.PathLike[str], structure: " + any +
+               ") -> numpy.typing.NDArray[numpy.void]")
+                  .c_str()),
+      read_contacts_doc);
+  module.def("build_model", &model_of, "structure"_a.none(), "model"_a = "protein", nb::kw_only(),
              "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{},
              "floppy_below"_a = 0.0, "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
              "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,

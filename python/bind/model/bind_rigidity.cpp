@@ -360,7 +360,7 @@ void bind_rigidity(nb::module_& module) {
       argument_texts(rigidity_fields(), RigidityAsked()) + ") -> Rigidity";
   const std::string doc =
       rigidity_doc + argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
-  module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
+  module.def("rigidity", &rigidity_of, "structure"_a.none(), nb::kw_only(), "hbond_cutoff"_a = -1.0,
              "contacts"_a = nb::none(), "keep_waters"_a = false,
              "protonate"_a = std::vector<std::string>{},
              "more_contacts"_a = std::vector<std::string>{}, "options"_a,

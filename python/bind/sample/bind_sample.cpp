@@ -254,7 +254,7 @@ std::string sample_doc() {
 }
 
 void bind_sample_function(nb::module_& module) {
-  module.def("sample", &sample_from, "structure"_a, "frames"_a = nb::none(), nb::kw_only(),
+  module.def("sample", &sample_from, "structure"_a.none(), "frames"_a = nb::none(), nb::kw_only(),
              "amplitude"_a = nb::none(), "model"_a = "", "output"_a = nb::none(),
              "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
              "save"_a = "", "options"_a, nb::sig(signature().c_str()), sample_doc().c_str());

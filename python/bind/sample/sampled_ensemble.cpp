@@ -90,9 +90,10 @@ Frame SampledEnsemble::frame(std::size_t k) const {
 SampleOutput sample_output(const std::optional<std::filesystem::path>& path, bool overwrite,
                            bool single, bool compress, double precision, const std::string& save) {
   if (path && path->extension() != ".h5md" && path->extension() != ".h5")
-    throw OptionError("output = '" + path->string() +
-                      "': expected a name that ends in .h5md; pliant.sample(...).save(\"" +
-                      path->string() + "\") writes other formats");
+    throw OptionError("output " + path->string() +
+                      ": expected a name that ends in .h5md: pliant.sample(..., output=\"" +
+                      std::filesystem::path(*path).replace_extension(".h5md").string() +
+                      "\").save(\"" + path->string() + "\")");
   return {path,
           {.single = single,
            .compress = compress,

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from pliant import _core
 from pliant._core import InputError, Structure
 from pliant._extras import needed_by
-from pliant._trajectory.sources import H5MD, kind_of
+from pliant._trajectory.sources import H5MD, kind_of, structure_of
 
 Positions = npt.NDArray[np.float64]
 
@@ -184,9 +184,9 @@ def check_atoms(structure: Structure, found: int, what: str = "positions") -> No
     if found == count:
         return
     raise InputError(
-        f"{what}: {found} atoms, but {structure.source or 'the structure'} has {count}: sampling adds "
-        "hydrogens and takes waters out; use the prepared structure: ensemble.structure, or "
-        "ensemble.to_mdanalysis()"
+        f"{what}: {found} atoms, but {structure.source or 'the structure'} has {count}: frames are of "
+        "the prepared molecule, with hydrogens added and waters left out: ensemble.to_mdanalysis(), "
+        'or the file "x-topology.pdb" beside them'
     )
 
 
@@ -212,7 +212,10 @@ def _of_path(path: Path, topology: Any) -> Frames:
 
         return FramesOfH5md(path, ShardsReader(path))
     if path.suffix.lower() in H5MD:
-        return FramesOfH5md(path)
+        frames = FramesOfH5md(path)
+        if topology is not None:
+            check_atoms(structure_of(topology), len(frames.structure), str(path))
+        return frames
     if topology is None:
         return FramesOfModels(path)
     with needed_by("pliant.Trajectory"):

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, Protocol, TypeAlias, Union
 
 from pliant import _core
 from pliant._core import FileError, Structure
+from pliant._refusals import shown
 
 
 H5MD = (".h5md", ".h5", ".hdf5")
@@ -107,16 +108,15 @@ def _read(path: str | os.PathLike[str]) -> Structure:
     except FileError as error:
         if Path(path).exists():
             raise
-        raise FileError(f"{error}{_near(Path(path))}") from None
+        raise FileError(f"{error} {_near(Path(path))}") from None
 
 
 def _near(path: Path) -> str:
     """What a name that there is not may have been meant for, or where it was looked for."""
     there = os.listdir(path.parent) if path.parent.is_dir() else []
-    like = difflib.get_close_matches(path.name, there, 1)
-    if like:
-        return f" (did you mean {os.fspath(path.parent / like[0])!r}?)"
-    return f" in {path.parent.resolve()}: give a path that is there"
+    for like in difflib.get_close_matches(path.name, there, 1, 0.8):
+        return f'(did you mean "{(path.parent / like).as_posix()}"?)'
+    return f'in {path.parent.resolve()}: give the whole path, such as "/data/{path.name}"'
 
 
 #: Every kind; the first that fits is taken.
@@ -164,9 +164,10 @@ def kind_of(given: object) -> Kind:
     for kind in KINDS:
         if kind.is_it(given):
             return kind
-    known = ", ".join(kind.words for kind in KINDS)
-    hint = "; RDKit gives None for what it cannot read" if given is None else ""
-    raise TypeError(f"molecule: expected {known}; found {type(given).__name__}{hint}")
+    *first, last = (kind.words for kind in KINDS)
+    known = f"{', '.join(first)} or {last}"
+    found = "None, which RDKit gives for what it cannot read" if given is None else shown(given)
+    raise TypeError(f"molecule = {found}: must be {known}")
 
 
 def structure_of(given: Any) -> Structure:

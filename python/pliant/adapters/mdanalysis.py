@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _AROMATIC = {"ar", "aromatic", "1.5"}
 
 
-@checked(atoms=having("atoms", "a Universe or an AtomGroup"))
+@checked(atoms=having("atoms", 'a Universe or an AtomGroup, such as MDAnalysis.Universe("x.pdb")'))
 def from_mdanalysis(
     atoms: MDAnalysis.Universe | MDAnalysis.AtomGroup, *, perceive_bonds: bool | None = None
 ) -> Structure:

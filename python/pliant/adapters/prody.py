@@ -96,10 +96,12 @@ def _bonds(atoms: Any) -> npt.NDArray[np.int64] | None:
     found = [bond.getIndices() for bond in atoms.iterBonds()] if _knows_bonds(atoms) else []
     if not found:
         return None
-    place = {int(index): k for k, index in enumerate(atoms.getIndices())}
+    is_part = hasattr(atoms, "getAtomGroup")
+    indices = atoms.getIndices() if is_part else range(atoms.numAtoms())
+    place = {int(index): k for k, index in enumerate(indices)}
     return np.array([[place[int(a)], place[int(b)]] for a, b in found], dtype=np.int64)
 
 
 def _knows_bonds(atoms: Any) -> bool:
-    group = atoms if hasattr(atoms, "_bonds") else atoms.getAtomGroup()
+    group = atoms.getAtomGroup() if hasattr(atoms, "getAtomGroup") else atoms
     return group._bonds is not None

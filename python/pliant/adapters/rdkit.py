@@ -15,11 +15,13 @@ from pliant._extras import need
 from pliant._trajectory.sources import Molecule
 from pliant._trajectory.trajectory import Trajectory
 
+_WANTED = 'an rdkit.Chem.Mol, such as Chem.MolFromMolFile("x.sdf", removeHs=False)'
+
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
 
-@checked(molecule=having("GetConformers", "an rdkit.Chem.Mol; RDKit gives None for what it cannot read"))
+@checked(molecule=having("GetConformers", _WANTED))
 def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
     """Return an RDKit molecule as a structure: its atoms, bonds with orders, and one conformer.
 

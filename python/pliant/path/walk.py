@@ -11,6 +11,7 @@ from typing import Literal
 from pliant import _progress
 from pliant._checked import SEED, checked
 from pliant._core import H5mdRecorder, PathEnds, PathOptions, PathWalk, Structure
+from pliant._output_names import check_trajectory_name
 from pliant._trajectory.sources import Molecule, structure_of
 from pliant.path.found import MolecularPath
 
@@ -66,6 +67,8 @@ def path(
     FileError
         The output exists or cannot be written.
     """
+    if output is not None:
+        check_trajectory_name(output, "path")
     options = PathOptions(atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed)
     bar = _progress.begin("path", WHOLE)
     try:

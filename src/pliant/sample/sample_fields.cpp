@@ -118,7 +118,7 @@ std::span<const SampleField> sample_fields() { return table; }
 void check(const SampleOptions& options) {
   if (options.frames < 1)
     throw OptionError("frames = " + std::to_string(options.frames) +
-                      ": must be a whole number from 1, such as 200");
+                      ": must be a whole number from 1, such as frames=200");
   if (options.first_frame < 0)
     throw OptionError("first_frame = " + std::to_string(options.first_frame) +
                       ": must be a whole number from 0");
