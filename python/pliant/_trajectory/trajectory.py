@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import copy
 import os
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
@@ -190,10 +192,15 @@ class Trajectory(HasFrames, Displayed):
         """Itself."""
         return self
 
-    @property
+    @cached_property
     def structure(self) -> Structure:
-        """The atoms and bonds."""
-        return self._frames.structure
+        """The atoms and bonds, at the first frame."""
+        known = self._frames.structure
+        if len(self) == 0 or np.array_equal(self[0], known.positions):
+            return known
+        moved = copy.copy(known)
+        moved.positions = self[0]
+        return moved
 
     @property
     def positions(self) -> Positions:
