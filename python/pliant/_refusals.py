@@ -119,7 +119,9 @@ def _refuse_contents(parameters: Mapping[str, str], given: Mapping[str, object])
 
 def _parsed(signature: str) -> ast.FunctionDef:
     """A signature of nanobind, whose defaults are literals, or places in a tuple: ``\\0``."""
-    tree = ast.parse(re.sub(r"\\(\d+)", r"_[\1]", signature) + ": ...").body[0]
+    text = re.sub(r"\\(\d+)", r"_[\1]", signature)
+    text = re.sub(r"ndarray\[[^\]]*=[^\]]*\]", "ndarray", text)  # of what is in it
+    tree = ast.parse(text + ": ...").body[0]
     assert isinstance(tree, ast.FunctionDef)
     return tree
 

@@ -2,6 +2,7 @@
 // Text files beside trajectories: PDB topologies, and graph XML.
 #include <nanobind/stl/filesystem.h>
 
+#include "framework/frame.hpp"
 #include "arrays.hpp"
 #include "checks.hpp"
 #include "messages.hpp"
@@ -61,7 +62,8 @@ void bind_pdb_recorder(nb::module_& module) {
           },
           "positions"_a, "Adds a model of positions (N, 3), Angstrom.")
       .def(
-          "__call__", [](PdbRecorder& self, const Frame& frame) { self.record(frame); }, "frame"_a,
+          "__call__", [](PdbRecorder& self, const OwnedFrame& frame) { self.record(frame.frame); },
+          "frame"_a,
           "Adds a frame, so that it is an observer.")
       .def("close", &PdbRecorder::close, "Ends the file and gives it its name.")
       .def_prop_ro("models", &PdbRecorder::models, "Models recorded.")

@@ -75,6 +75,8 @@ class RunResult(HasFrames, _core.RunSummary):
         """The molecule; of a framework nameless atoms at its joints."""
         if self._structure is not None:
             return self._structure
+        if self.output is not None:
+            return self.trajectory.structure
         return Structure(self.state.positions)
 
     @property

@@ -228,7 +228,7 @@ class Trajectory(HasFrames, Displayed):
 
     def __getitem__(self, frame: int | Chosen) -> Positions | Trajectory:
         """One frame, (N, 3) Angstrom; of a slice or an array of numbers a `Trajectory`."""
-        if hasattr(frame, "__index__"):
+        if isinstance(frame, (int, np.integer)):
             return self._frames.positions(self._number(int(frame)))
         if isinstance(frame, slice):
             return self._of(self._frames, self._chosen[frame])

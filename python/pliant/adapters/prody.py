@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 def from_prody(atoms: prody.AtomGroup) -> Structure:
     """Return atoms of ProDy, at the active coordinate set, as a structure.
 
-    Bonds are those of `atoms`, if it has any; else they are perceived, as in a file.
+    Bonds are those of `atoms`, if it has any, with orders by residue templates; else all are
+    perceived, as in a file.
 
     Parameters
     ----------
@@ -43,8 +44,7 @@ def from_prody(atoms: prody.AtomGroup) -> Structure:
         bonds=bonds,
         title=str(getattr(atoms, "getTitle", str)()),
     )
-    if bonds is None:
-        structure.perceive_bonds()
+    structure.perceive_bonds(guess_distances=bonds is None)  # ProDy knows no orders of bonds
     return structure
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
 
-@checked(molecule=having("GetConformers", _WANTED))
+@checked(molecule=having("GetConformers", _WANTED, takes_none=False))
 def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
     """Return an RDKit molecule as a structure: its atoms, bonds with orders, and one conformer.
 
@@ -145,6 +145,7 @@ def _bonded(structure: Structure) -> Any:
 
 
 _CARBON = 6
+_AROMATIC = 4  #: order
 
 #: Charges by element and number of valences in use, for atoms all of whose hydrogens are there.
 _CHARGED = {(7, 4): 1, (7, 2): -1, (8, 3): 1, (8, 1): -1, (16, 1): -1, (16, 3): 1, (15, 4): 1}
@@ -155,12 +156,13 @@ def _charges(structure: Structure) -> npt.NDArray[np.int64]:
     if len(structure.charges):
         return structure.charges
     charges = np.zeros(len(structure), dtype=np.int64)
-    if not (structure.elements == 1).any() or (structure.bond_orders == 4).any():
+    if not (structure.elements == 1).any():
         return charges
     used = np.zeros(len(structure), dtype=np.int64)
     orders = np.maximum(structure.bond_orders, 1).astype(np.int64)
     for ends in structure.bonds.T:
         np.add.at(used, ends, orders)
+    used[structure.bonds[structure.bond_orders == _AROMATIC]] = 0
     for k in np.flatnonzero(used):
         charges[k] = _CHARGED.get((int(structure.elements[k]), int(used[k])), 0)
     return charges

@@ -9,6 +9,9 @@ import pytest
 import pliant
 
 DATA = Path(__file__).parents[3] / "data" / "molecules"
+pytestmark = pytest.mark.filterwarnings(
+    "ignore:frames reach an amplitude", "ignore:no bond can rotate", "ignore:select. .* bonds"
+)
 PEPTIDE = DATA / "alanine_dipeptide.pdb"
 FRAMES = 6
 
@@ -49,8 +52,8 @@ def part_of_a_file(folder):
 
 
 def found(folder):
-    start = pliant.read(PEPTIDE)
-    return pliant.path(start, pliant.sample(start, frames=1, seed=4))
+    start = DATA / "peptide_20.pdb"
+    return pliant.path(start, pliant.sample(start, frames=1, seed=4)[:])
 
 
 RESULTS = (
@@ -133,13 +136,17 @@ def contents(h5py, path):
     return {name: value for name, value in all_of_it.items() if "second" not in name}
 
 
+def numbers_of(report):
+    found = report.as_json()
+    return {name: found[name] for name in found if name not in ("input", "outputs", "notes")}
+
+
 def test_an_ensemble_in_memory_is_analysed_as_its_file_is(tmp_path):
     pytest.importorskip("MDAnalysis")
     ensemble = pliant.sample(DATA / "peptide_20.pdb", frames=8, output=tmp_path / "out.h5md")
-    of_file = pliant.analyse(tmp_path / "out.h5md").as_json()
-    in_memory = pliant.sample(DATA / "peptide_20.pdb", frames=8).analyse().as_json()
-    assert in_memory["flexibility"] == of_file["flexibility"]
-    assert pliant.analyse(ensemble).as_json()["flexibility"] == of_file["flexibility"]
+    of_file = numbers_of(pliant.analyse(tmp_path / "out.h5md"))
+    assert numbers_of(pliant.sample(DATA / "peptide_20.pdb", frames=8).analyse()) == of_file
+    assert numbers_of(pliant.analyse(ensemble)) == of_file
     assert len(ensemble[2:].analyse().analysis.frames) == 6
 
 

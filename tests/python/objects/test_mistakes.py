@@ -11,6 +11,9 @@ Chem = pytest.importorskip("rdkit.Chem")
 MDAnalysis = pytest.importorskip("MDAnalysis")
 
 DATA = Path(__file__).parents[3] / "data" / "molecules"
+pytestmark = pytest.mark.filterwarnings(
+    "ignore:frames reach an amplitude", "ignore:no bond can rotate", "ignore:select. .* bonds"
+)
 ASPIRIN = DATA / "aspirin.sdf"
 MOLECULES = (
     "a Structure, a path, a result of Pliant, a Universe or AtomGroup of MDAnalysis, "
