@@ -217,9 +217,10 @@ void bind_preparation(nb::module_& module) {
           nb::rv_policy::reference, "(R,) bool: residues whose contacts are left out; empty: none.")
       .def_ro("steps", &Preparation::steps, "What was done, line by line.")
       .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.");
-  module.def("prepare", &prepare_structure, "structure"_a.none(), nb::kw_only(), "keep_waters"_a = false,
-             "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
-             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
+  module.def("prepare", &prepare_structure, "structure"_a.none(), nb::kw_only(),
+             "keep_waters"_a = false, "add_hydrogens"_a = true,
+             "protonate"_a = std::vector<std::string>{}, "floppy_below"_a = 0.0,
+             "fill_side_chains"_a = false, "all_hydrogens"_a = false,
              nb::sig(("def prepare(structure: " + std::string(any_molecule) +
                       ", *, keep_waters: bool = False, add_hydrogens: bool = True, "
                       "protonate: collections.abc.Sequence[str] = (), floppy_below: float = 0.0, "
@@ -284,9 +285,11 @@ void bind_model(nb::module_& module) {
   module.def("contacts", &contacts_of, "structure"_a.none(), nb::kw_only(),
              "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
              "more_contacts"_a = std::vector<std::string>{},
-             nb::sig(("def contacts(structure: " + any + ", *, hbond_cutoff: float = -1.0, "
-                     "more_contacts: collections.abc.Sequence[str] = ()) -> "
-                     "numpy.typing.NDArray[numpy.void]").c_str()),
+             nb::sig(("def contacts(structure: " + any +
+                      ", *, hbond_cutoff: float = -1.0, "
+                      "more_contacts: collections.abc.Sequence[str] = ()) -> "
+                      "numpy.typing.NDArray[numpy.void]")
+                         .c_str()),
              contacts_doc);
   module.def(
       "read_contacts",
@@ -305,14 +308,16 @@ void bind_model(nb::module_& module) {
              "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
              "all_hydrogens"_a = false, "free_torsions"_a = false,
              "more_contacts"_a = std::vector<std::string>{},
-             nb::sig(("def build_model(structure: " + any + ", model: " +
-                      literal_type(names_of(models())) + " = \"protein\", *, "
-                     "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
-                     "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
-                     "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
-                     "fill_side_chains: bool = False, all_hydrogens: bool = False, "
-                     "free_torsions: bool = False, "
-                     "more_contacts: collections.abc.Sequence[str] = ()) -> MolecularModel").c_str()),
+             nb::sig(("def build_model(structure: " + any +
+                      ", model: " + literal_type(names_of(models())) +
+                      " = \"protein\", *, "
+                      "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
+                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
+                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
+                      "fill_side_chains: bool = False, all_hydrogens: bool = False, "
+                      "free_torsions: bool = False, "
+                      "more_contacts: collections.abc.Sequence[str] = ()) -> MolecularModel")
+                         .c_str()),
              build_doc);
 }
 

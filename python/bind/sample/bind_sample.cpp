@@ -229,16 +229,15 @@ std::string signature() {
   SampleOptions usual = unset_sample_options();
   std::vector<std::string_view> models_or_none = names_of(models());
   models_or_none.insert(models_or_none.begin(), "");
-  std::string text =
-      "def sample(structure: MolecularModel | " + std::string(any_molecule);
+  std::string text = "def sample(structure: MolecularModel | " + std::string(any_molecule);
   for (const SampleField& field : sample_fields()) {
     if (field.name == "frames")
       text += ", frames: int | None = None, *, amplitude: float | str | os.PathLike | None = None";
     else if (field.users.python)
       text += ", " + argument_text(field, field.place(usual));
   }
-  return text +
-         ", model: " + literal_type(models_or_none) + " = \"\", output: str | os.PathLike[str] | None = None, "
+  return text + ", model: " + literal_type(models_or_none) +
+         " = \"\", output: str | os.PathLike[str] | None = None, "
          "overwrite: bool = False, single: bool = False, compress: bool = False, "
          "precision: float = 0.0, save: str = '') -> SampledEnsemble";
 }
@@ -272,8 +271,7 @@ void bind_sample(nb::module_& module) {
   bind_sampled_ensemble(module);
   bind_sample_function(module);
   module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), nb::kw_only(),
-             "threads"_a = nb::none(), "flush_seconds"_a = 1.0, "durable"_a = false,
-             continue_doc);
+             "threads"_a = nb::none(), "flush_seconds"_a = 1.0, "durable"_a = false, continue_doc);
 }
 
 }  // namespace pliant::python

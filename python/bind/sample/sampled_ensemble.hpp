@@ -34,9 +34,9 @@ struct SampledEnsemble {
   AmplitudeChoice amplitude;
   std::vector<Vec3> positions;  ///< (F * N)
   SampleSummary summary;
-  H5mdHeader header;                                   ///< without how it is recorded
-  std::vector<Frame> frames;                           ///< (F) without spans
-  std::vector<std::vector<std::uint8_t>> limits_off;   ///< (F) of these frames
+  H5mdHeader header;                                  ///< without how it is recorded
+  std::vector<Frame> frames;                          ///< (F) without spans
+  std::vector<std::vector<std::uint8_t>> limits_off;  ///< (F) of these frames
 
   /// How many atoms a frame has.
   std::size_t atoms() const { return model.positions.size(); }

@@ -16,7 +16,6 @@ from pliant import _core
 from pliant._core import FileError, Structure
 from pliant._refusals import shown
 
-
 H5MD = (".h5md", ".h5", ".hdf5")
 
 
@@ -25,13 +24,12 @@ class MDAnalysisAtoms(Protocol):
 
     atoms: Any
     universe: Any
-    trajectory: Any
 
 
 class RDKitMolecule(Protocol):
     """A Mol of RDKit."""
 
-    def GetConformers(self) -> Any: ...  # noqa: N802, D102
+    def GetConformers(self) -> Any: ...  # noqa: N802
 
 
 class OpenMMTopology(Protocol):
@@ -43,14 +41,14 @@ class OpenMMTopology(Protocol):
 class ProDyAtoms(Protocol):
     """An AtomGroup or selection of ProDy."""
 
-    def getCoordsets(self, indices: Any = None) -> Any: ...  # noqa: N802, D102
+    def getCoordsets(self, indices: Any = None) -> Any: ...  # noqa: N802
 
 
 class HasStructure(Protocol):
     """Results of ours: a SampledEnsemble, a Trajectory, a path, rigidity."""
 
     @property
-    def structure(self) -> Structure: ...  # noqa: D102
+    def structure(self) -> Structure: ...
 
 
 #: What functions take as a molecule, besides a Structure.
@@ -142,7 +140,10 @@ KINDS = (
         _frames("rdkit_frames"),
     ),
     Kind(
-        "an mdtraj.Trajectory", _has("xyz", "topology"), _adapter("from_mdtraj"), _frames("mdtraj_frames")
+        "an mdtraj.Trajectory",
+        _has("xyz", "topology"),
+        _adapter("from_mdtraj"),
+        _frames("mdtraj_frames"),
     ),
     Kind(
         "a Modeller, PDBFile or Simulation of OpenMM",

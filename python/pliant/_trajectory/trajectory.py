@@ -19,8 +19,8 @@ from pliant._trajectory.frames import Frames, FramesInMemory, Positions, frames_
 from pliant._trajectory.sources import Molecule, structure_of
 
 if TYPE_CHECKING:
-    import mdtraj
     import MDAnalysis
+    import mdtraj
     import openmm.app
     import prody
     from rdkit.Chem import Mol
@@ -87,9 +87,7 @@ class HasFrames:
         """
         from pliant.convert import convert
 
-        convert(
-            self, output, select=select, every=every, superpose=superpose, overwrite=overwrite
-        )
+        convert(self, output, select=select, every=every, superpose=superpose, overwrite=overwrite)
         return Path(output)
 
     def to_mdanalysis(self) -> MDAnalysis.Universe:

@@ -150,7 +150,9 @@ def _topology(structure: Structure) -> Any:
         topology.addAtom(str(names[k]), element, residue, str(structure.serials[k]))
     atoms = list(topology.atoms())
     for (a, b), order in zip(structure.bonds.tolist(), structure.bond_orders.tolist(), strict=True):
-        topology.addBond(atoms[a], atoms[b], kinds.get(order), order if order in (1, 2, 3) else None)
+        topology.addBond(
+            atoms[a], atoms[b], kinds.get(order), order if order in (1, 2, 3) else None
+        )
     return topology
 
 

@@ -170,7 +170,11 @@ def _charges(structure: Structure) -> npt.NDArray[np.int64]:
 
 def _has_hydrogens_on_carbon(structure: Structure) -> bool:
     ends = structure.elements[structure.bonds]
-    return bool(((ends.min(axis=1) == 1) & (ends.max(axis=1) == _CARBON)).any()) if len(ends) else False
+    return (
+        bool(((ends.min(axis=1) == 1) & (ends.max(axis=1) == _CARBON)).any())
+        if len(ends)
+        else False
+    )
 
 
 def _residue_info(structure: Structure, atom: int, name: str) -> Any:

@@ -3,20 +3,17 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import pathlib
-import sys
 import tempfile
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 
-from pliant import _core, console
+from pliant import _core
 from pliant._cif_models import write_models
 from pliant._core import InputError, OptionError
 from pliant._extras import need
@@ -24,6 +21,7 @@ from pliant._superposition import Superposition
 from pliant._trajectory.results import SampledEnsemble
 from pliant._trajectory.sources import Molecule
 from pliant._trajectory.trajectory import HasFrames, Trajectory
+
 
 @dataclass
 class Converted:
@@ -93,9 +91,7 @@ def convert(
     return Converted(os.fspath(output), name, count, len(atoms))
 
 
-def _refuse(
-    source: HasFrames | Molecule, output: str | os.PathLike[str], overwrite: bool
-) -> None:
+def _refuse(source: HasFrames | Molecule, output: str | os.PathLike[str], overwrite: bool) -> None:
     path = Trajectory(source).path if isinstance(source, HasFrames) else source
     is_file = isinstance(path, (str, os.PathLike)) and os.path.exists(path)
     if is_file and os.path.exists(output) and os.path.samefile(path, output):

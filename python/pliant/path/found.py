@@ -7,14 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant._core import (
-    MolecularModel,
-    PathFrame,
-    PathOptions,
-    Structure,
-    TightPlace,
-    tight_places,
-)
+from pliant._core import MolecularModel, PathFrame, PathOptions, Structure, TightPlace, tight_places
 from pliant._display import Displayed, Facts
 from pliant._trajectory.frames import FramesInMemory
 from pliant._trajectory.trajectory import HasFrames, Trajectory

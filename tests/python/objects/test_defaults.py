@@ -7,9 +7,9 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from pliant.console import command_path
 
 import pliant
-from pliant.console import command_path
 
 DATA = Path(__file__).parents[3] / "data" / "molecules"
 pytestmark = pytest.mark.filterwarnings(

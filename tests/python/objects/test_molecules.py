@@ -98,7 +98,7 @@ def test_a_view_shows_any_kind(kind):
 
 
 def test_charges_come_from_rdkit_and_go_there():
-    Chem = pytest.importorskip("rdkit.Chem")  # noqa: N806
+    Chem = pytest.importorskip("rdkit.Chem")
     from rdkit.Chem import AllChem
 
     made = Chem.AddHs(Chem.MolFromSmiles("C[NH2+]CC(=O)[O-]"))

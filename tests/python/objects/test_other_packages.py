@@ -53,7 +53,7 @@ def test_what_came_from_there_is_sampled(package, ensemble):
 
 
 def test_rdkit_reads_the_chemistry():
-    Chem = pytest.importorskip("rdkit.Chem")  # noqa: N806
+    Chem = pytest.importorskip("rdkit.Chem")
     from rdkit.Chem import AllChem
 
     for smiles in ("C[C@H](N)C(=O)O", "c1ccccc1C#N", "C[N+](C)(C)C", "OC[C@@H]1OC[C@H](O)C1"):
