@@ -154,7 +154,7 @@ def _signature_parameters(
     kinds = inspect.Parameter
     positional = [*args.posonlyargs, *args.args]
     values: list[ast.expr | None] = [None] * (len(positional) - len(args.defaults))
-    for one, value in zip(positional, values + args.defaults, strict=True):
+    for one, value in zip(positional, [*values, *args.defaults], strict=True):
         is_only = one in args.posonlyargs
         kind = kinds.POSITIONAL_ONLY if is_only else kinds.POSITIONAL_OR_KEYWORD
         yield _parameter(one, kind, value, defaults)

@@ -144,8 +144,8 @@ def run(
     Returns
     -------
     RunResult
-        A RunSummary with the frames. Its `state` is where the run ended. Steps that did not converge
-        are counted; they raise nothing.
+        A RunSummary with the frames. Its `state` is where the run ended. Steps that did not
+        converge are counted; they raise nothing.
 
     Raises
     ------
@@ -188,17 +188,14 @@ def run(
     write_topology(topology, structure, start, save, overwrite)
     if output is None or is_pdb_name(output):
         refuse_options_of_h5md(output, save, precision)
-        steps_to = partial(_core.run_steps, framework, start, options)
-        keep = output is None and _are_kept(framework, options)
-        made = without_h5md(steps_to, output, structure, overwrite, observers, forces, keep)
-        return RunResult(made, structure, output)
+        steps_to = partial(_core.run_steps, framework, start, options, most_kept=MOST_KEPT)
+        return without_h5md(steps_to, output, structure, overwrite, observers, forces)
+    known = parameters_of(framework, structure, options, recording) | built
     recorder = _core.H5mdRecorder(
         output,
         framework,
         structure=structure,
-        parameters=parameters_of(framework, structure, options, recording)
-        | built
-        | dict(parameters or {}),
+        parameters=known | dict(parameters or {}),
         overwrite=overwrite,
         **recording,
         flush_seconds=flush_seconds,
@@ -261,26 +258,21 @@ def continue_run(
     return RunResult(made, None, path)
 
 
-def _are_kept(framework: _core.Framework, options: _core.RunOptions) -> bool:
-    """Whether frames of a run without output are few enough to stay in memory."""
-    frames = options.steps // max(options.every, 1) + 2
-    return frames * framework.joint_count * 24 <= MOST_KEPT
-
-
 def _opened(
     source: _core.Framework | _core.Structure | Molecule,
     state: _core.State | npt.ArrayLike | None,
     select: str,
 ) -> tuple[_core.Framework | _core.Structure, _core.State | npt.ArrayLike | None]:
     """What is in a file, if it is one: a structure, or a framework and where it starts."""
-    is_graph = isinstance(source, (str, os.PathLike)) and Path(source).suffix == ".xml"
+    graph = source if isinstance(source, (str, os.PathLike)) else ""
+    is_graph = Path(graph).suffix == ".xml"
     if select and (is_graph or isinstance(source, _core.Framework)):
         raise TypeError("run: select is for a structure, or a file of one")
     if isinstance(source, _core.Framework):
         return source, state
     if is_graph:
-        graph = _core.read_graph_xml(source)
-        return graph.framework, graph.positions if state is None else state
+        read = _core.read_graph_xml(graph)
+        return read.framework, read.positions if state is None else state
     return structure_of(source), state
 
 

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from pliant import _core
 from pliant._core import InputError, Structure
 from pliant._extras import needed_by
-from pliant._trajectory.sources import H5MD, kind_of, structure_of
+from pliant._trajectory.sources import H5MD, kind_of, later, structure_of
 
 Positions = npt.NDArray[np.float64]
 
@@ -57,7 +57,8 @@ class FramesInMemory:
 
     def positions(self, frame: int) -> Positions:
         """(N, 3) Angstrom: a view."""
-        return self.values[frame]
+        found: Positions = self.values[frame]
+        return found
 
     def step(self, frame: int) -> int:
         """The number of the frame."""
@@ -129,10 +130,8 @@ class FramesOfUniverse:
     """Those of a Universe or AtomGroup of MDAnalysis, whose current frame stays what it was."""
 
     def __init__(self, atoms: Any) -> None:
-        from pliant.adapters import from_mdanalysis
-
         self._atoms = atoms.atoms
-        self.structure = from_mdanalysis(self._atoms)
+        self.structure: Structure = later("pliant.adapters", "from_mdanalysis")(self._atoms)
 
     def __len__(self) -> int:
         return len(self._atoms.universe.trajectory)
@@ -184,9 +183,9 @@ def check_atoms(structure: Structure, found: int, what: str = "positions") -> No
     if found == count:
         return
     raise InputError(
-        f"{what}: {found} atoms, but {structure.source or 'the structure'} has {count}: frames are of "
-        "the prepared molecule, with hydrogens added and waters left out: ensemble.to_mdanalysis(), "
-        'or the file "x-topology.pdb" beside them'
+        f"{what}: {found} atoms, but {structure.source or 'the structure'} has {count}: frames are "
+        "of the prepared molecule, with hydrogens added and waters left out: "
+        'ensemble.to_mdanalysis(), or the file "x-topology.pdb" beside them'
     )
 
 

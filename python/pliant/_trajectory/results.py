@@ -40,10 +40,10 @@ class SampledEnsemble(HasFrames, _core.SampledFrames):
 
 
 class RunResult(HasFrames, _core.RunSummary):
-    """What a run did, and its frames: in the file that it wrote, else in memory.
+    """What a run did, and its frames: in the H5MD file that it wrote, else in memory.
 
     ``len``, an index, iteration and slices give frames, (N, 3) arrays in Angstrom, as of a
-    `Trajectory`. Without `output` frames are kept up to 256 MB in all.
+    `Trajectory`. In memory frames of up to 256 MB in all are kept.
     """
 
     def __init__(
@@ -59,16 +59,16 @@ class RunResult(HasFrames, _core.RunSummary):
     @cached_property
     def trajectory(self) -> Trajectory:
         """The frames. Raises InputError where they were not kept, with what keeps them."""
-        if self.output is not None:
-            kind = FramesOfModels if is_pdb_name(self.output) else FramesOfH5md
-            return Trajectory._of(kind(self.output))
-        kept = self._kept().reshape(-1, self.state.positions.shape[0], 3)
-        if len(kept) == 0:
+        if len(self.kept) > 0:
+            kept = self.kept.reshape(-1, len(self.state.positions), 3)
+            return Trajectory._of(FramesInMemory(self.structure, kept))
+        if self.output is None:
             raise InputError(
                 f"run: {self.frames} frames take more than {MOST_KEPT >> 20} MB and were not kept: "
                 'pliant.run(..., output="run.h5md") writes them into a file'
             )
-        return Trajectory._of(FramesInMemory(self.structure, kept))
+        kind = FramesOfModels if is_pdb_name(self.output) else FramesOfH5md
+        return Trajectory._of(kind(self.output))
 
     @property
     def structure(self) -> Structure:

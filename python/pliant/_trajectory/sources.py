@@ -7,6 +7,7 @@ An object is known by its attributes, so that it may be of a package that is not
 from __future__ import annotations
 
 import difflib
+import importlib
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -77,15 +78,14 @@ def _has(*names: str) -> Callable[[Any], bool]:
     return lambda given: all(hasattr(given, name) for name in names)
 
 
+def later(module: str, name: str) -> Any:
+    """A function of a module that builds on this one."""
+    return getattr(importlib.import_module(module), name)
+
+
 def _adapter(name: str) -> Callable[[Any], Any]:
     """A function of pliant.adapters, imported when it is called."""
-
-    def call(given: Any) -> Any:
-        from pliant import adapters
-
-        return getattr(adapters, name)(given)
-
-    return call
+    return lambda given: later("pliant.adapters", name)(given)
 
 
 def _frames(name: str) -> Callable[[Any, Structure], Any]:

@@ -16,7 +16,7 @@ import numpy.typing as npt
 from pliant._core import OptionError, Structure
 from pliant._display import Displayed, Facts
 from pliant._trajectory.frames import Frames, FramesInMemory, Positions, frames_of
-from pliant._trajectory.sources import Molecule, structure_of
+from pliant._trajectory.sources import Molecule, later, structure_of
 
 if TYPE_CHECKING:
     import MDAnalysis
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     import prody
     from rdkit.Chem import Mol
 
-    from pliant.analyse.suite import AnalysisReport
     from pliant.play.widget import PlayView
 
 #: What chooses frames: a slice, numbers of frames, or a truth value for each.
@@ -37,8 +36,13 @@ class HasFrames:
 
     @property
     def trajectory(self) -> Trajectory:
-        """The frames with their atoms and bonds; those of a file are read when they are asked for."""
+        """The frames with their atoms and bonds; those of a file are read when asked for."""
         raise NotImplementedError
+
+    @property
+    def structure(self) -> Structure:
+        """The atoms and bonds."""
+        return self.trajectory.structure
 
     def __len__(self) -> int:
         return len(self.trajectory)
@@ -85,61 +89,46 @@ class HasFrames:
         OptionError, InputError, FileError, ImportError
             As `convert`.
         """
-        from pliant.convert import convert
-
+        convert = later("pliant.convert.write", "convert")
         convert(self, output, select=select, every=every, superpose=superpose, overwrite=overwrite)
         return Path(output)
 
     def to_mdanalysis(self) -> MDAnalysis.Universe:
         """A Universe with names, residues and bonds, and all frames in memory."""
-        from pliant.adapters import to_mdanalysis
-
-        return to_mdanalysis(self)
+        return later("pliant.adapters", "to_mdanalysis")(self)
 
     def to_rdkit(self) -> Mol:
         """An rdkit.Chem.Mol with a conformer for each frame."""
-        from pliant.adapters import to_rdkit
-
-        return to_rdkit(self)
+        made: Mol = later("pliant.adapters", "to_rdkit")(self)
+        return made
 
     def to_openmm(self, frame: int = 0) -> openmm.app.Modeller:
         """An openmm.app.Modeller: the topology, with the positions of one frame."""
-        from pliant.adapters import to_openmm
-
-        return to_openmm(self, frame)
+        return later("pliant.adapters", "to_openmm")(self, frame)
 
     def to_prody(self) -> prody.AtomGroup:
         """A prody.AtomGroup with a coordinate set for each frame."""
-        from pliant.adapters import to_prody
-
-        return to_prody(self)
+        return later("pliant.adapters", "to_prody")(self)
 
     def to_mdtraj(self) -> mdtraj.Trajectory:
         """An mdtraj.Trajectory of all frames."""
-        from pliant.adapters import to_mdtraj
-
-        return to_mdtraj(self)
+        return later("pliant.adapters", "to_mdtraj")(self)
 
     def view(self, *, model: str = "auto", height: int = 560) -> PlayView:
         """Shows the frames in a notebook, as `pliant.view` does."""
-        from pliant.play.view import view
+        shown: PlayView = later("pliant.play.view", "view")(self, model=model, height=height)
+        return shown
 
-        return view(self, model=model, height=height)
-
-    def analyse(
-        self, output: str | os.PathLike[str] | None = None, **options: Any
-    ) -> AnalysisReport:
-        """Analyses the frames, as `pliant.analyse` does; it has the options."""
-        from pliant.analyse.suite import analyse
-
-        return analyse(self, output, **options)
+    def analyse(self, output: str | os.PathLike[str] | None = None, **options: Any) -> Any:
+        """Analyses the frames, as `pliant.analyse` does, whose options it has: an AnalysisReport."""
+        return later("pliant.analyse.suite", "analyse")(self, output, **options)
 
 
 class Trajectory(HasFrames, Displayed):
     """Frames of one molecule: positions in memory, or in a file and read when they are asked for.
 
-    ``len``, an index, iteration and slices work as for a list: a frame is an (N, 3) array, Angstrom;
-    a slice is a Trajectory.
+    ``len``, an index, iteration and slices work as for a list: a frame is an (N, 3) array in
+    Angstrom; a slice is a Trajectory.
 
     Parameters
     ----------
@@ -167,22 +156,25 @@ class Trajectory(HasFrames, Displayed):
         *,
         topology: str | os.PathLike[str] | None = None,
     ) -> None:
+        if positions is not None and topology is not None:
+            raise OptionError("topology: goes with a file, not with positions")
+        chosen = None
         if positions is not None:
-            if topology is not None:
-                raise OptionError("topology: goes with a file, not with positions")
-            self._frames: Frames = FramesInMemory(structure_of(source), positions)
+            frames: Frames = FramesInMemory(structure_of(source), positions)
         elif isinstance(source, HasFrames):
-            self._frames, self._chosen = source.trajectory._frames, source.trajectory._chosen
-            return
+            frames, chosen = source.trajectory._frames, source.trajectory._chosen
         else:
-            self._frames = frames_of(source, topology)
-        self._chosen: npt.NDArray[np.int64] = np.arange(len(self._frames))
+            frames = frames_of(source, topology)
+        self._take(frames, chosen)
+
+    def _take(self, frames: Frames, chosen: npt.NDArray[np.int64] | None) -> None:
+        self._frames = frames
+        self._chosen = np.arange(len(frames)) if chosen is None else chosen
 
     @classmethod
     def _of(cls, frames: Frames, chosen: npt.NDArray[np.int64] | None = None) -> Trajectory:
         made = cls.__new__(cls)
-        made._frames = frames
-        made._chosen = np.arange(len(frames)) if chosen is None else chosen
+        made._take(frames, chosen)
         return made
 
     @property

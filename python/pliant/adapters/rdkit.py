@@ -112,7 +112,8 @@ def to_rdkit(source: Molecule | Structure) -> Mol:
         )
     elif len(frames):
         Chem.AssignStereochemistryFrom3D(molecule)
-    return molecule
+    made: Mol = molecule
+    return made
 
 
 def _bonded(structure: Structure) -> Any:

@@ -11,9 +11,9 @@ from pliant import console
 from pliant.convert.write import convert
 
 EPILOG = """\
-The name of OUT says the format: .pdb or .cif (one model per frame), .dcd, .xtc, .trr or .xyz; .h5md; .sdf
-(a record per frame). DCD, XTC, TRR and XYZ are written by MDAnalysis (pip install "pliant[analysis]"),
-SDF by RDKit ("pliant[rdkit]").
+The name of OUT says the format: .h5md, .pdb or .cif (one model per frame), .sdf (one record per
+frame), .dcd, .xtc, .trr or .xyz. DCD, XTC, TRR and XYZ are written by MDAnalysis (pip install
+"pliant[analysis]"), SDF by RDKit ("pliant[rdkit]"), the others by Pliant itself.
 H5MD keeps every digit; PDB keeps 0.001 Angstrom, mmCIF and XYZ 0.00001, XTC 0.01, DCD and TRR
 32-bit floats. Observables and bars are left out. mmCIF has no bonds: programs know them from the
 names of residues. DCD, XTC and TRR have only positions: open them with the PDB file that pliant

@@ -47,8 +47,8 @@ def convert(
     Parameters
     ----------
     source : path, SampledEnsemble, RunResult, MolecularPath, Trajectory, Universe, ...
-        What a `Trajectory` is made of. Paths are of an H5MD file, of models (PDB, mmCIF, SDF), or of
-        an ensemble: a folder of ``pliant ensemble``, or the ``ensemble.pliant`` in it.
+        What a `Trajectory` is made of. Paths are of an H5MD file, of models (PDB, mmCIF, SDF),
+        or of an ensemble: a folder of ``pliant ensemble``, or the ``ensemble.pliant`` in it.
     output : path
         Ends in .h5md, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, .trr or .xyz.
     select : str
@@ -92,9 +92,10 @@ def convert(
 
 
 def _refuse(source: HasFrames | Molecule, output: str | os.PathLike[str], overwrite: bool) -> None:
-    path = Trajectory(source).path if isinstance(source, HasFrames) else source
-    is_file = isinstance(path, (str, os.PathLike)) and os.path.exists(path)
-    if is_file and os.path.exists(output) and os.path.samefile(path, output):
+    path = source if isinstance(source, (str, os.PathLike)) else None
+    if isinstance(source, HasFrames):
+        path = source.trajectory.path
+    if path and os.path.exists(path) and os.path.exists(output) and os.path.samefile(path, output):
         raise OptionError(f"{os.fspath(output)}: is both input and output")
     if not overwrite and os.path.exists(output):
         raise _core.FileError(f"{os.fspath(output)}: exists; --overwrite replaces it")

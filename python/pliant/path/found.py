@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any, cast
 
 import numpy as np
 
@@ -51,7 +52,7 @@ class MolecularPath(HasFrames, Displayed):
     @property
     def arrived(self) -> bool:
         """Whether the last frame is at the end: CA within 0.5 Angstrom, heavy atoms within 1."""
-        return self.reached <= PathOptions(atoms=self.atoms).arrived_within
+        return self.reached <= PathOptions(atoms=cast("Any", self.atoms)).arrived_within
 
     def facts(self) -> Facts:
         """How far it came, and what is in its way."""

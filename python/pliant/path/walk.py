@@ -38,7 +38,8 @@ def path(
     Parameters
     ----------
     start, end : Structure, path, Universe, AtomGroup, ...
-        Molecules as `sample` takes them, of proteins or nucleic acids; matched by chain and number, else by sequence.
+        Molecules as `sample` takes them, of proteins or nucleic acids; matched by chain and
+        number, else by sequence.
     atoms : str
         Which are asked to arrive: ``CA`` (P of nucleotides) or ``heavy``, those of matched residues
         that have the same name.

@@ -189,7 +189,7 @@ def test_a_run_of_a_framework_has_frames():
 
 
 def test_frames_that_are_not_of_the_molecule_are_refused():
-    with pytest.raises(pliant.InputError, match="positions: 2 atoms, but .* has 22"):
+    with pytest.raises(pliant.InputError, match=r"positions: 2 atoms, but .* has 22"):
         pliant.Trajectory(PEPTIDE, np.zeros((4, 2, 3)))
     with pytest.raises(pliant.InputError, match=r"expected shape \(N, 3\) or \(F, N, 3\)"):
         pliant.Trajectory(PEPTIDE, np.zeros(3))

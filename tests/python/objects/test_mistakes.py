@@ -83,8 +83,8 @@ MISTAKES = {
     "a file that is not there": (
         lambda: pliant.sample("missing.pdb"),
         pliant.FileError,
-        "cannot read missing.pdb: No such file or directory in {here}: give the whole path, such as "
-        '"/data/missing.pdb"',
+        "cannot read missing.pdb: No such file or directory in {here}: give the whole path, "
+        'such as "/data/missing.pdb"',
     ),
     "a name of a file misspelt": (
         lambda: (Path("aspirin.sdf").write_bytes(b""), pliant.sample("asprin.sdf")),
@@ -104,8 +104,8 @@ MISTAKES = {
     'sampler="mode"': (
         lambda: pliant.sample(ASPIRIN, sampler="mode"),
         pliant.OptionError,
-        'no sampler named "mode" (did you mean "modes"?); known: modes, dilute, turns, reach, pocket, '
-        "walk, torsions",
+        'no sampler named "mode" (did you mean "modes"?); known: modes, dilute, turns, reach, '
+        "pocket, walk, torsions",
     ),
     "a keyword misspelt": (
         lambda: pliant.sample(ASPIRIN, frame=5),
@@ -154,7 +154,8 @@ MISTAKES = {
     "a molecule without conformer": (
         lambda: pliant.sample(bare()),
         pliant.InputError,
-        f"the molecule has no conformer, so that its atoms have no positions: make one with {EMBED}",
+        "the molecule has no conformer, so that its atoms have no positions: make one with "
+        + EMBED,
     ),
     "from_rdkit(None)": (lambda: pliant.from_rdkit(None), TypeError, NONE_OF_RDKIT),
     "sample(None)": (
