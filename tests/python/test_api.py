@@ -119,7 +119,7 @@ def parameters_made_with(node):
 
 def documented_members(node):
     for member in node.body:
-        if not isinstance(member, ast.FunctionDef) or member.name.startswith("__"):
+        if not isinstance(member, ast.FunctionDef) or member.name.startswith("_"):
             continue
         if not is_decorated(member, "setter"):
             doc = ast.get_docstring(member) or ""

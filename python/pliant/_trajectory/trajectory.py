@@ -120,7 +120,7 @@ class HasFrames:
         return shown
 
     def analyse(self, output: str | os.PathLike[str] | None = None, **options: Any) -> Any:
-        """Analyses the frames, as `pliant.analyse` does, whose options it has: an AnalysisReport."""
+        """Analyses the frames as `pliant.analyse` does, with its options: an AnalysisReport."""
         return later("pliant.analyse.suite", "analyse")(self, output, **options)
 
 
