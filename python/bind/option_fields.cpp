@@ -40,9 +40,23 @@ void take_value(const OptionFacts& facts, OptionPlace place, nb::handle value) {
       place);
 }
 
+std::string literal_type(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (const std::string_view name : names)
+    text += (text.empty() ? "'" : ", '") + std::string(name) + "'";
+  return "typing.Literal[" + text + "]";
+}
+
 std::string argument_text(const OptionFacts& facts, OptionPlace place) {
-  return std::string(facts.name) + ": " + python_type(place) + " = " +
-         nb::cast<std::string>(nb::repr(value_of(place)));
+  const std::string name(facts.name);
+  if (!facts.unset_means.empty()) return name + ": " + python_type(place) + " | None = None";
+  std::string type = python_type(place);
+  if (facts.choices != nullptr) {
+    std::vector<std::string_view> names = facts.choices();
+    if (!facts.automatic.empty()) names.insert(names.begin(), facts.automatic);
+    type = literal_type(names);
+  }
+  return name + ": " + type + " = " + nb::cast<std::string>(nb::repr(value_of(place)));
 }
 
 std::string argument_doc(const OptionFacts& facts, OptionPlace place) {

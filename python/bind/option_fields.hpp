@@ -22,7 +22,10 @@ nb::object value_of(OptionPlace place);
 /// value does not fit. Ranges are checked by check(), not here.
 void take_value(const OptionFacts& facts, OptionPlace place, nb::handle value);
 
-/// "seed: int = 0", as in a signature.
+/// "typing.Literal['a', 'b']".
+std::string literal_type(const std::vector<std::string_view>& names);
+
+/// "seed: int = 0", as in a signature; "threads: int | None = None" where the default is a choice.
 std::string argument_text(const OptionFacts& facts, OptionPlace place);
 
 /// Its lines under "Parameters" in a docstring.
@@ -88,7 +91,8 @@ void take_values(const Fields& fields, nb::dict given, Options& options) {
     refuse_former(field, given);
     const nb::str name(field.name.data(), field.name.size());
     if (!field.users.python || !given.contains(name)) continue;
-    take_value(field, field.place(options), given[name]);
+    const bool is_open = !field.unset_means.empty() && given[name].is_none();
+    if (!is_open) take_value(field, field.place(options), given[name]);
     nb::del(given[name]);
   }
 }

@@ -44,7 +44,6 @@ from pliant._core import (
     Rigidity,
     RunOptions,
     RunSummary,
-    SampledEnsemble,
     SamplerEntry,
     SampleSummary,
     State,
@@ -78,6 +77,7 @@ from pliant._core import (
     prepare,
     pushers,
     read,
+    read_contacts,
     read_force_file,
     read_graph_xml,
     read_ordering_file,
@@ -95,14 +95,23 @@ from pliant._display import show_in_notebooks
 from pliant._ensemble import run_ensemble
 from pliant._laboratory import leave_out
 from pliant._late import import_after
+from pliant._refusals import give_signatures
 from pliant._run import continue_run, run
+from pliant._trajectory.results import RunResult, SampledEnsemble
+from pliant._trajectory.trajectory import Trajectory
 from pliant.adapters import (
     constraints_from_openmm,
     from_mdanalysis,
+    from_mdtraj,
     from_openmm,
+    from_prody,
     from_rdkit,
     from_smiles,
     to_mdanalysis,
+    to_mdtraj,
+    to_openmm,
+    to_prody,
+    to_rdkit,
 )
 from pliant.play.view import view
 
@@ -124,11 +133,13 @@ if TYPE_CHECKING:
     from pliant.analyse import analyse
     from pliant.check import check
     from pliant.compare import compare
+    from pliant.convert import convert
     from pliant.path import path
+    from pliant.representatives import representatives
     from pliant.study import study
 else:
     # Packages that are called; what they need beyond NumPy and h5py is imported when they are.
-    from pliant import analyse, check, compare, path, study
+    from pliant import analyse, check, compare, convert, path, representatives, study
 
 __all__ = [
     "ContactKindEntry",
@@ -163,6 +174,7 @@ __all__ = [
     "Resolver",
     "Rigidity",
     "RunOptions",
+    "RunResult",
     "RunSummary",
     "SampleSummary",
     "SampledEnsemble",
@@ -179,6 +191,7 @@ __all__ = [
     "TestResults",
     "TestSet",
     "TorsionPreferences",
+    "Trajectory",
     "WalkerResolver",
     "__version__",
     "analyse",
@@ -191,11 +204,14 @@ __all__ = [
     "contacts",
     "continue_run",
     "continue_sample",
+    "convert",
     "estimate_b_factors",
     "examples",
     "formats",
     "from_mdanalysis",
+    "from_mdtraj",
     "from_openmm",
+    "from_prody",
     "from_rdkit",
     "from_smiles",
     "generate",
@@ -216,11 +232,13 @@ __all__ = [
     "prepare",
     "pushers",
     "read",
+    "read_contacts",
     "read_force_file",
     "read_graph_xml",
     "read_ordering_file",
     "read_test_set",
     "read_text",
+    "representatives",
     "residuals",
     "resolve",
     "rigidity",
@@ -232,6 +250,10 @@ __all__ = [
     "techniques",
     "techniques_for",
     "to_mdanalysis",
+    "to_mdtraj",
+    "to_openmm",
+    "to_prody",
+    "to_rdkit",
     "view",
     "write_test_set",
     "write_topology_pdb",
@@ -243,6 +265,7 @@ if not hasattr(_core, "generate"):
     leave_out(globals())
 
 # Messages and help call things by the name under which users find them.
+SampledEnsemble.__module__ = RunResult.__module__ = Trajectory.__module__ = "pliant"
 for _name in __all__:
     if isinstance(getattr(_core, _name, None), type):
         getattr(_core, _name).__module__ = "pliant"
@@ -255,3 +278,9 @@ import_after("MDAnalysis", "pliant.h5md_parser")
 import_after("MDAnalysis", "pliant.ensemble.reader")
 
 show_in_notebooks()
+give_signatures(_core.read, _core.RunOptions.check, _core.RunOptions().check)
+
+
+def __dir__() -> list[str]:
+    """What users call, without the modules that it comes from."""
+    return sorted(__all__)

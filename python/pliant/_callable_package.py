@@ -22,7 +22,8 @@ class CallablePackage(ModuleType):
     h5py, so these are imported when a name is first asked for.
     """
 
-    _late: Mapping[str, str]  #: the module in the package that defines each name
+    #: the module that defines each name: in the package, or by its whole name, "pliant. ..."
+    _late: Mapping[str, str]
 
     def __call__(self, *arguments: Any, **options: Any) -> Any:
         """Calls the function."""
@@ -33,7 +34,9 @@ class CallablePackage(ModuleType):
         if name not in self._late:
             raise AttributeError(f"module '{self.__name__}' has no attribute '{name}'")
         with needed_by(self.__name__, inside=True):
-            module = importlib.import_module(f"{self.__name__}.{self._late[name]}")
+            late = self._late[name]
+            is_whole = late.startswith("pliant.")
+            module = importlib.import_module(late if is_whole else f"{self.__name__}.{late}")
         value = getattr(module, name)
         setattr(self, name, value)
         return value

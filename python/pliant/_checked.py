@@ -26,6 +26,7 @@ class Wanted:
     words: str  #: after "must be"
     holds: Callable[[Any], bool]
     error: type[Exception] = OptionError
+    takes_none: bool = True  #: as what is not given
 
 
 def whole(least: int, most: float = math.inf, name: str = "") -> Wanted:
@@ -39,9 +40,9 @@ def _is_pair(value: Any, annotation: str) -> bool:
     return fits(value, "tuple") and len(value) == 2 and all(fits(one, annotation) for one in value)
 
 
-def having(attribute: str, words: str) -> Wanted:
+def having(attribute: str, words: str, takes_none: bool = True) -> Wanted:
     """Objects of another package, known by an attribute; that package may not be there."""
-    return Wanted(words, lambda x: hasattr(x, attribute), TypeError)
+    return Wanted(words, lambda x: hasattr(x, attribute), TypeError, takes_none)
 
 
 SEED = whole(0, 2**64 - 1)
@@ -89,5 +90,7 @@ def _look_at(name: str, value: object, annotation: str, every: Mapping[str, Want
         if wanted is None:
             refuse(name, value, annotation)
         raise TypeError(f"{name} = {shown(value)}: must be {wanted.words}")
-    if wanted is not None and value is not None and not wanted.holds(value):
+    if wanted is None or (value is None and wanted.takes_none):
+        return
+    if not wanted.holds(value):
         raise wanted.error(f"{name} = {shown(value)}: must be {wanted.words}")

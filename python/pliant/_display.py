@@ -119,7 +119,7 @@ def _run_summary(shown: _core.RunSummary) -> Facts:
     ]
 
 
-def _sample_summary(shown: _core.SampleSummary | _core.SampledEnsemble) -> Facts:
+def _sample_summary(shown: _core.SampleSummary | _core.SampledFrames) -> Facts:
     mean = float(np.mean(shown.rmsf)) if len(shown.rmsf) else 0.0
     return [
         ("RMSF", f"{mean:.2f} Å, mean over atoms"),
@@ -131,7 +131,7 @@ def _sample_summary(shown: _core.SampleSummary | _core.SampledEnsemble) -> Facts
     ]
 
 
-def _ensemble(shown: _core.SampledEnsemble) -> Facts:
+def _ensemble(shown: _core.SampledFrames) -> Facts:
     frames, atoms, _ = shown.positions.shape
     return [("frames", f"{frames}, of {atoms} atoms"), *_sample_summary(shown)]
 
@@ -177,16 +177,19 @@ SHOWN: dict[type, Callable[[Any], Facts]] = {
     _core.ResolveSummary: _resolve_summary,
     _core.RunSummary: _run_summary,
     _core.SampleSummary: _summary_of_frames,
-    _core.SampledEnsemble: _ensemble,
+    _core.SampledFrames: _ensemble,
     _core.MolecularModel: _model,
     _core.Rigidity: _rigidity,
 }
 
 
 def _attach(kind: type, facts: Callable[[Any], Facts]) -> None:
-    title = f"pliant.{kind.__name__}"
     for name, make in (("_repr_html_", as_html), ("__str__", as_text)):
-        setattr(kind, name, lambda self, make=make: make(title, facts(self)))
+
+        def show(self: Any, make: Callable[[str, Facts], str] = make) -> str:
+            return make(f"pliant.{type(self).__name__}", facts(self))
+
+        setattr(kind, name, show)
 
 
 def show_in_notebooks() -> None:

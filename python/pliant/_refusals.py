@@ -5,8 +5,11 @@ from __future__ import annotations
 
 import ast
 import difflib
+import gc
+import inspect
 import math
 import os
+import re
 import reprlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NoReturn
@@ -23,6 +26,7 @@ _WORDS = {
     "int": "a whole number",
     "float": "a number",
     "str": "a text",
+    "Literal": "a text",
     "bool": "True or False",
     "None": "None",
     "PathLike": "a path",
@@ -46,7 +50,19 @@ def refuse(
     if least is not None and most is not None and _is_whole(value):
         wanted = f"a whole number from {least} to {most}"
         raise OptionError(f"{name} = {shown(value)}: must be {wanted}")
-    raise TypeError(f"{name} = {shown(value)}: must be {_wanted(annotation)}")
+    hint = _nearest(name, value, annotation)
+    raise TypeError(f"{name} = {shown(value)}: must be {_wanted(annotation)}{hint}")
+
+
+def _nearest(name: str, value: object, annotation: str) -> str:
+    """The whole number that a text or a fraction may have meant."""
+    if "int" not in kinds_of(annotation):
+        return ""
+    try:
+        number = int(float(value))  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        return ""
+    return f", such as {name}={number}"
 
 
 def refuse_call(function: Any, positional: Sequence[object], named: Mapping[str, object]) -> None:
@@ -59,7 +75,7 @@ def refuse_call(function: Any, positional: Sequence[object], named: Mapping[str,
     for name in unfit:
         refuse(name, given[name], parameters[name])
     for name, value in given.items():
-        if _is_whole(value) and "int" in _kinds(parameters[name]):
+        if _is_whole(value) and "int" in kinds_of(parameters[name]):
             _refuse_out_of_range(name, int(value), parameters[name])  # type: ignore[call-overload]
     _refuse_contents(parameters, given)
 
@@ -73,6 +89,7 @@ def refuse_unknown(function: str, names: Iterable[str], named: Iterable[str]) ->
             hint = f" (did you mean {like[0]!r}?)" if like else ""
             if not like and len(known) <= MOST_LISTED:
                 hint = f"; known: {', '.join(known)}"
+            hint = hint or f"; help(pliant.{function}) lists them"
             raise TypeError(f"{function}: has no argument {name!r}{hint}")
 
 
@@ -91,21 +108,86 @@ def _refuse_out_of_range(name: str, value: int, annotation: str) -> None:
 
 def _refuse_contents(parameters: Mapping[str, str], given: Mapping[str, object]) -> None:
     """Refuses the first sequence: its items were not looked at, so one of them must be wrong."""
-    nested = [name for name in given if "[" in parameters[name] and given[name] is not None]
+    nested = [
+        name
+        for name in given
+        if "[" in parameters[name] and "Literal" not in parameters[name] and given[name] is not None
+    ]
     for name in nested[:1]:
         refuse(name, given[name], parameters[name])
 
 
-def _parameters(signature: str) -> dict[str, str]:
-    """Annotations by name: defaults of the signature are none that Python reads."""
-    text = "".join(
-        part.lstrip("0123456789") if k else part
-        for k, part in enumerate(signature.replace("\\", "\0\\").split("\\"))
-    )
-    tree = ast.parse(text.replace("\0", "...") + ": ...").body[0]
+def _parsed(signature: str) -> ast.FunctionDef:
+    """A signature of nanobind, whose defaults are literals, or places in a tuple: ``\\0``."""
+    text = re.sub(r"\\(\d+)", r"_[\1]", signature)
+    text = re.sub(r"ndarray\[[^\]]*=[^\]]*\]", "ndarray", text)  # of what is in it
+    tree = ast.parse(text + ": ...").body[0]
     assert isinstance(tree, ast.FunctionDef)
-    every = [*tree.args.posonlyargs, *tree.args.args, *tree.args.kwonlyargs]
+    return tree
+
+
+def _parameters(signature: str) -> dict[str, str]:
+    """Annotations by name."""
+    args = _parsed(signature).args
+    every = [*args.posonlyargs, *args.args, *args.kwonlyargs]
     return {one.arg: ast.unparse(one.annotation) if one.annotation else "object" for one in every}
+
+
+def signature_of(function: Any, is_bound: bool = False) -> inspect.Signature:
+    """The signature of a compiled function; the first where it has several.
+
+    Raises AttributeError where it cannot be read, as for an attribute that there is not.
+    """
+    try:
+        text, _, defaults = function.__nb_signature__[0]
+        tree = _parsed(text)
+        found = list(_signature_parameters(tree.args, defaults or ()))
+    except (SyntaxError, ValueError, AssertionError) as error:
+        raise AttributeError("__signature__") from error
+    returns = ast.unparse(tree.returns) if tree.returns else inspect.Signature.empty
+    return inspect.Signature(found[is_bound:], return_annotation=returns)
+
+
+def _signature_parameters(
+    args: ast.arguments, defaults: Sequence[object]
+) -> Iterator[inspect.Parameter]:
+    kinds = inspect.Parameter
+    positional = [*args.posonlyargs, *args.args]
+    values: list[ast.expr | None] = [None] * (len(positional) - len(args.defaults))
+    for one, value in zip(positional, [*values, *args.defaults], strict=True):
+        is_only = one in args.posonlyargs
+        kind = kinds.POSITIONAL_ONLY if is_only else kinds.POSITIONAL_OR_KEYWORD
+        yield _parameter(one, kind, value, defaults)
+    if args.vararg:
+        yield _parameter(args.vararg, kinds.VAR_POSITIONAL, None, defaults)
+    for one, value in zip(args.kwonlyargs, args.kw_defaults, strict=True):
+        yield _parameter(one, kinds.KEYWORD_ONLY, value, defaults)
+    if args.kwarg:
+        yield _parameter(args.kwarg, kinds.VAR_KEYWORD, None, defaults)
+
+
+def _parameter(one: ast.arg, kind: Any, value: ast.expr | None, defaults: Any) -> inspect.Parameter:
+    default: object = inspect.Parameter.empty
+    if isinstance(value, ast.Subscript) and isinstance(value.slice, ast.Constant):
+        default = defaults[value.slice.value]
+    elif value is not None:
+        default = ast.literal_eval(value)
+    annotation = ast.unparse(one.annotation) if one.annotation else inspect.Parameter.empty
+    return inspect.Parameter(one.arg, kind, default=default, annotation=annotation)
+
+
+def give_signatures(function: object, method: object, bound: object) -> None:
+    """Lets `inspect.signature` see those of compiled functions and methods, given one of each.
+
+    Their types can have no attributes set but in their own dict.
+    """
+    for one, is_bound in ((function, False), (method, False), (bound, True)):
+
+        def get(self: Any, is_bound: bool = is_bound) -> inspect.Signature:
+            return signature_of(self, is_bound)
+
+        slots: Any = gc.get_referents(type(one).__dict__)[0]
+        slots["__signature__"] = property(get)
 
 
 def _given(
@@ -140,7 +222,7 @@ def _alternatives(annotation: str) -> Iterator[ast.expr]:
             yield one
 
 
-def _kinds(annotation: str) -> list[str]:
+def kinds_of(annotation: str) -> list[str]:
     """The names of the alternatives, without modules and what stands in brackets."""
     bare = (
         one.value if isinstance(one, ast.Subscript) else one for one in _alternatives(annotation)
@@ -150,7 +232,7 @@ def _kinds(annotation: str) -> list[str]:
 
 def fits(value: object, annotation: str) -> bool:
     """Whether a value may be of the type; True where that is not known."""
-    return any(_is_of(value, kind) for kind in _kinds(annotation))
+    return any(_is_of(value, kind) for kind in kinds_of(annotation))
 
 
 def _is_of(value: object, kind: str) -> bool:
@@ -162,7 +244,7 @@ def _is_of(value: object, kind: str) -> bool:
         return isinstance(value, bool)
     if kind == "None":
         return value is None
-    if kind == "str":
+    if kind in ("str", "Literal"):
         return isinstance(value, str)
     if kind in ("PathLike", "Path"):
         return isinstance(value, (str, os.PathLike))
@@ -191,7 +273,7 @@ def _is_whole(value: object) -> bool:
 
 def _wanted(annotation: str) -> str:
     """ "a whole number or None"."""
-    kinds = _kinds(annotation)
+    kinds = kinds_of(annotation)
     words = [_WORDS.get(kind, f"a {kind}") for kind in kinds]
     return " or ".join(dict.fromkeys(words))
 

@@ -25,6 +25,8 @@ from pliant._run_outputs import (
     without_h5md,
     write_topology,
 )
+from pliant._trajectory.results import MOST_KEPT, RunResult
+from pliant._trajectory.sources import Molecule, structure_of
 
 #: A technique of your own: called with (positions, sweep, framework) it makes one sweep.
 Sweep = Callable[[npt.NDArray[np.float64], int, _core.Framework], None]
@@ -38,7 +40,7 @@ Ordering = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
 
 @checked()
 def run(
-    framework: _core.Framework | _core.Structure | str | os.PathLike[str],
+    framework: _core.Framework | _core.Structure | Molecule,
     state: _core.State | npt.ArrayLike | None = None,
     output: str | os.PathLike[str] | None = None,
     *,
@@ -78,7 +80,7 @@ def run(
     save: str = "",
     flush_seconds: float = 1.0,
     durable: bool = False,
-) -> _core.RunSummary:
+) -> RunResult:
     """Push a framework again and again, resolve the bars that break, and record each step.
 
     Each step breaks bars by a perturbation (position Verlet: Verlet, Phys. Rev. 159 (1967) 98; or
@@ -89,9 +91,10 @@ def run(
 
     Parameters
     ----------
-    framework : Framework, Structure or path
-        The framework of a structure is built with `bars`, `lengths` and `pin`. A file is read as
-        the command does: a molecule with the bonds that it lacks perceived, or graph XML.
+    framework : Framework, Structure, path, Universe, AtomGroup, rdkit.Chem.Mol, ...
+        A framework, or a molecule as `sample` takes it, whose framework is built with `bars`,
+        `lengths` and `pin`. A file is read as the command does: a molecule with the bonds that it
+        lacks perceived, or graph XML.
     state : State or (N, 3) Angstrom, optional
         Where to start. A State is changed in place; positions are copied. Default: those of the
         structure.
@@ -140,9 +143,9 @@ def run(
 
     Returns
     -------
-    RunSummary
-        Its `state` is where the run ended. Steps that did not converge are counted; they raise
-        nothing.
+    RunResult
+        A RunSummary with the frames. Its `state` is where the run ended. Steps that did not
+        converge are counted; they raise nothing.
 
     Raises
     ------
@@ -185,15 +188,14 @@ def run(
     write_topology(topology, structure, start, save, overwrite)
     if output is None or is_pdb_name(output):
         refuse_options_of_h5md(output, save, precision)
-        steps_to = partial(_core.run_steps, framework, start, options)
+        steps_to = partial(_core.run_steps, framework, start, options, most_kept=MOST_KEPT)
         return without_h5md(steps_to, output, structure, overwrite, observers, forces)
+    known = parameters_of(framework, structure, options, recording) | built
     recorder = _core.H5mdRecorder(
         output,
         framework,
         structure=structure,
-        parameters=parameters_of(framework, structure, options, recording)
-        | built
-        | dict(parameters or {}),
+        parameters=known | dict(parameters or {}),
         overwrite=overwrite,
         **recording,
         flush_seconds=flush_seconds,
@@ -201,7 +203,8 @@ def run(
         run=options,
     )
     with recorder:
-        return _core.run_steps(framework, start, options, [recorder, *observers], forces)
+        made = _core.run_steps(framework, start, options, [recorder, *observers], forces)
+    return RunResult(made, structure, output)
 
 
 @checked()
@@ -212,7 +215,7 @@ def continue_run(
     observers: Iterable[Observer] = (),
     flush_seconds: float = 1.0,
     durable: bool = False,
-) -> _core.RunSummary:
+) -> RunResult:
     """Go on with the run of an H5MD file, as if it had never stopped.
 
     The file holds the framework, every option and where the run was, after its end, Ctrl-C or a
@@ -234,8 +237,8 @@ def continue_run(
 
     Returns
     -------
-    RunSummary
-        Of the steps that were done now.
+    RunResult
+        A RunSummary of the steps that were done now; its frames are all of the file.
 
     Raises
     ------
@@ -249,26 +252,28 @@ def continue_run(
     checkpoint = _core.read_checkpoint(path, steps)
     options = checkpoint.options
     with checkpoint.recorder(flush_seconds, durable) as recorder:
-        return _core.run_steps(
+        made = _core.run_steps(
             checkpoint.framework, checkpoint.state, options, [recorder, *observers], None
         )
+    return RunResult(made, None, path)
 
 
 def _opened(
-    source: _core.Framework | _core.Structure | str | os.PathLike[str],
+    source: _core.Framework | _core.Structure | Molecule,
     state: _core.State | npt.ArrayLike | None,
     select: str,
 ) -> tuple[_core.Framework | _core.Structure, _core.State | npt.ArrayLike | None]:
     """What is in a file, if it is one: a structure, or a framework and where it starts."""
-    is_graph = isinstance(source, (str, os.PathLike)) and Path(source).suffix == ".xml"
+    graph = source if isinstance(source, (str, os.PathLike)) else ""
+    is_graph = Path(graph).suffix == ".xml"
     if select and (is_graph or isinstance(source, _core.Framework)):
         raise TypeError("run: select is for a structure, or a file of one")
-    if not isinstance(source, (str, os.PathLike)):
+    if isinstance(source, _core.Framework):
         return source, state
-    if Path(source).suffix == ".xml":
-        graph = _core.read_graph_xml(source)
-        return graph.framework, graph.positions if state is None else state
-    return _core.read(source), state
+    if is_graph:
+        read = _core.read_graph_xml(graph)
+        return read.framework, read.positions if state is None else state
+    return structure_of(source), state
 
 
 def _built(

@@ -11,6 +11,7 @@ from typing import Any
 
 from pliant import _core
 from pliant._output_names import check_trajectory_name
+from pliant._trajectory.results import RunResult
 
 #: What an observer is: it looks at a frame, and anything true that it returns ends the run.
 Observer = Callable[[_core.Frame], object]
@@ -25,14 +26,15 @@ def without_h5md(
     overwrite: bool,
     observers: Iterable[Observer],
     forces: _core.ForceRecorder | None,
-) -> _core.RunSummary:
+) -> RunResult:
     """A run that writes no frames, or models of a PDB file."""
     if output is None:
-        return steps_to(list(observers), forces)
+        return RunResult(steps_to(list(observers), forces), structure)
     if structure is None:
         raise TypeError("run: models of a PDB file need a structure")
     with _core.PdbRecorder(output, structure, overwrite=overwrite) as models:
-        return steps_to([models, *observers], forces)
+        made = steps_to([models, *observers], forces)
+    return RunResult(made, structure, output)
 
 
 def write_topology(
@@ -72,7 +74,7 @@ def refuse_to_overwrite(
 ) -> None:
     """Refuses to write over the file that the structure was read from."""
     if trajectory is not None:
-        check_trajectory_name(trajectory)
+        check_trajectory_name(trajectory, "run")
     if structure is None or not os.path.exists(structure.source):
         return
     for output in (trajectory, *others):

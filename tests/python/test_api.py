@@ -41,7 +41,7 @@ def member_line(node):
     """A property, a method or an enumerator on one line; empty for what is none of them."""
     if isinstance(node, ast.Assign):
         return ast.unparse(node)
-    if not isinstance(node, ast.FunctionDef):
+    if not isinstance(node, ast.FunctionDef) or re.match("_[a-z]", node.name):
         return ""
     if is_decorated(node, "setter"):
         value = [*node.args.posonlyargs, *node.args.args][-1]
@@ -65,8 +65,17 @@ def python_functions():
     return [function for function in functions if inspect.isfunction(function)]
 
 
+def python_classes():
+    """The nodes of classes written in Python."""
+    folder = Path(pliant.__file__).parent / "_trajectory"
+    for name in ("trajectory.py", "results.py"):
+        tree = ast.parse((folder / name).read_text())
+        yield from (node for node in tree.body if isinstance(node, ast.ClassDef))
+
+
 def reference_text():
-    nodes = [ast.parse(inspect.getsource(function)).body[0] for function in python_functions()]
+    functions = [ast.parse(inspect.getsource(function)).body[0] for function in python_functions()]
+    nodes = [*functions, *python_classes()]
     names = ["Names: " + " ".join(pliant.__all__), ""]
     lines = [line for node in [*nodes, *stub_nodes()] for line in lines_of(node)]
     return "\n".join([TITLE, *names, *lines, ""])
@@ -88,7 +97,7 @@ def test_everything_public_is_there():
     assert compiled - set(pliant.__all__) == {
         *("ForceRecorder", "run_shard", "run_steps", "version"),
         *("Checkpoint", "check_hdf5_structure", "expansion_refusal", "read_checkpoint"),
-        *("select_atoms", "writer_of"),
+        *("SampledFrames", "select_atoms", "writer_of"),
         *("PathEnds", "PathFrame", "PathOptions", "PathWalk", "TightPlace"),
         *("path_rows", "tight_places"),
         *("ResidueMatch", "Trace", "align", "amino_acid_letters", "match_residues", "trace_of"),
@@ -110,7 +119,7 @@ def parameters_made_with(node):
 
 def documented_members(node):
     for member in node.body:
-        if not isinstance(member, ast.FunctionDef) or member.name.startswith("__"):
+        if not isinstance(member, ast.FunctionDef) or member.name.startswith("_"):
             continue
         if not is_decorated(member, "setter"):
             doc = ast.get_docstring(member) or ""
@@ -121,7 +130,7 @@ def documented():
     """Name, documentation and names of parameters of what is public."""
     for function in python_functions():
         yield function.__name__, function.__doc__, list(inspect.signature(function).parameters)
-    for node in stub_nodes():
+    for node in [*python_classes(), *stub_nodes()]:
         doc = ast.get_docstring(node) or ""
         if isinstance(node, ast.ClassDef):
             yield node.name, doc, parameters_made_with(node)

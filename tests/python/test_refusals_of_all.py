@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from pliant._refusals import _kinds, _parameters
+from pliant._refusals import _parameters, kinds_of
 from pliant.analyse import representatives
 from pliant.compare import compare_paths
 from pliant.recover import recover
@@ -85,7 +85,7 @@ def annotations_of(call):
 def rows():
     for call in NEEDED:
         for name, annotation in annotations_of(call).items():
-            kinds = set(_kinds(annotation)) - {"Any", "object"}
+            kinds = set(kinds_of(annotation)) - {"Any", "object"}
             for value, of in VALUES:
                 if kinds and kinds <= PLAIN and not kinds & of and name != "self":
                     yield pytest.param(call, name, value, id=f"{call.__name__} {name} {value}")

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Models of molecules: preparation, contacts, and the framework that they make.
+#include <nanobind/stl/filesystem.h>
+
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "messages.hpp"
 #include "model/molecular_contacts.hpp"
 #include "molecule/structure.hpp"
+#include "option_fields.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/model.hpp"
 #include "tables.hpp"
 
@@ -25,26 +31,41 @@ PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> keep,
   return options;
 }
 
-Preparation prepare_structure(const Structure& structure, bool keep_waters,
+Preparation prepare_structure(const nb::object& molecule, bool keep_waters,
                               std::vector<std::string> keep, bool add_hydrogens,
                               std::vector<std::string> protonate, double floppy_below,
                               bool fill_side_chains, bool all_hydrogens) {
   PrepareOptions options = prepare_options(keep_waters, std::move(keep), std::move(protonate),
                                            floppy_below, fill_side_chains, all_hydrogens);
   options.add_hydrogens = add_hydrogens;
+  const nb::object given = structure_from(molecule);
+  const auto& structure = nb::cast<const Structure&>(given);
   const nb::gil_scoped_release no_gil;
   return prepare(structure, options);
 }
 
-nb::object contacts_of(const Structure& structure, double hbond_cutoff,
+/// Without hydrogens, hydrogen bonds are not found.
+bool lacks_hydrogens(const Structure& structure) {
+  const auto& elements = structure.atoms.elements;
+  return usual_model(structure) == ModelKind::protein &&
+         std::find(elements.begin(), elements.end(), 1) == elements.end();
+}
+
+nb::object contacts_of(const nb::object& molecule, double hbond_cutoff,
                        std::vector<std::string> more_contacts) {
   ModelOptions options;
+  const nb::object given = structure_from(molecule);
+  const auto& structure = nb::cast<const Structure&>(given);
+  if (lacks_hydrogens(structure))
+    python_log().warn(
+        "contacts: the molecule has no hydrogens, so no hydrogen bond is found: "
+        "pliant.contacts(pliant.prepare(molecule).structure)");
   options.more_contacts = std::move(more_contacts);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   return contacts_to_python(find_contacts(structure, options));
 }
 
-MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
+MolecularModel model_of(const nb::object& molecule, const std::string& model, bool keep_waters,
                         std::vector<std::string> keep, std::vector<std::string> protonate,
                         double floppy_below, double hbond_cutoff, const nb::object& contacts,
                         const std::string& pin, bool fill_side_chains, bool all_hydrogens,
@@ -59,6 +80,8 @@ MolecularModel model_of(const Structure& structure, const std::string& model, bo
   options.torsions = !free_torsions;
   options.log = python_log();
   if (!contacts.is_none()) options.contacts = contacts_from(contacts);
+  const nb::object given = structure_from(molecule);
+  const auto& structure = nb::cast<const Structure&>(given);
   const nb::gil_scoped_release no_gil;
   return build_model(structure, options);
 }
@@ -75,8 +98,8 @@ constexpr const char* prepare_doc =
 
 Parameters
 ----------
-structure : Structure
-    With its bonds, as ``read`` gives it.
+structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
+    A molecule, as ``sample`` takes it.
 keep_waters : bool
 keep : sequence of str
     Molecules of crystallisation that stay, as ``["GOL", "SO4"]`` or ``["all"]``. Where there is a
@@ -108,8 +131,8 @@ constexpr const char* contacts_doc =
 
 Parameters
 ----------
-structure : Structure
-    With its bonds and polar hydrogens: that of ``prepare``.
+structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
+    A molecule, as ``sample`` takes it, with polar hydrogens: ``prepare`` adds them.
 hbond_cutoff : float
     kcal/mol: hydrogen bonds of no lower energy are left out.
 more_contacts : sequence of str
@@ -126,6 +149,34 @@ Raises
 ------
 OptionError
     An unknown kind.
+
+Warns
+-----
+PliantWarning
+    A protein or nucleic acid without hydrogens.
+)";
+
+constexpr const char* read_contacts_doc =
+    R"(Reads a file of contacts, as ``pliant contacts`` writes it and you may have changed it.
+
+Parameters
+----------
+path : str or path
+    CSV.
+structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
+    The prepared structure whose atoms the file names: that of ``prepare``, or of a model.
+
+Returns
+-------
+(C,) array
+    As ``contacts`` gives it; for `contacts` of ``build_model`` and ``rigidity``.
+
+Raises
+------
+InputError
+    A line that cannot be read, or names an atom that is not there; the message names both.
+FileError
+    The file cannot be read.
 )";
 
 constexpr const char* build_doc =
@@ -133,8 +184,8 @@ constexpr const char* build_doc =
 
 Parameters
 ----------
-structure : Structure
-    With its bonds, as ``read`` gives it.
+structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
+    A molecule, as ``sample`` takes it.
 model : str
     A name in ``models()``: ``bonds``, ``angles``, ``molecule`` or ``protein``.
 keep_waters, keep, protonate, floppy_below
@@ -173,10 +224,17 @@ void bind_preparation(nb::module_& module) {
       .def_ro("steps", &Preparation::steps, "What was done, line by line.")
       .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.")
       .def_ro("left_out", &Preparation::left_out, "What was taken out, as ``188 waters``.");
-  module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
-             "keep"_a = std::vector<std::string>{}, "add_hydrogens"_a = true,
-             "protonate"_a = std::vector<std::string>{}, "floppy_below"_a = 0.0,
-             "fill_side_chains"_a = false, "all_hydrogens"_a = false, prepare_doc);
+  module.def("prepare", &prepare_structure, "structure"_a.none(), nb::kw_only(),
+             "keep_waters"_a = false, "keep"_a = std::vector<std::string>{},
+             "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
+             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
+             nb::sig(("def prepare(structure: " + std::string(any_molecule) +
+                      ", *, keep_waters: bool = False, "
+                      "keep: collections.abc.Sequence[str] = (), add_hydrogens: bool = True, "
+                      "protonate: collections.abc.Sequence[str] = (), floppy_below: float = 0.0, "
+                      "fill_side_chains: bool = False, all_hydrogens: bool = False) -> Preparation")
+                         .c_str()),
+             prepare_doc);
 }
 
 void bind_contact_kinds(nb::module_& module) {
@@ -229,30 +287,47 @@ void bind_built_model(nb::module_& module) {
 
 void bind_model(nb::module_& module) {
   const ModelOptions usual;
+  const std::string any = any_molecule;
   bind_preparation(module);
   bind_contact_kinds(module);
   bind_built_model(module);
-  module.def("contacts", &contacts_of, "structure"_a, nb::kw_only(),
+  module.def("contacts", &contacts_of, "structure"_a.none(), nb::kw_only(),
              "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
              "more_contacts"_a = std::vector<std::string>{},
-             nb::sig("def contacts(structure: Structure, *, hbond_cutoff: float = -1.0, "
-                     "more_contacts: collections.abc.Sequence[str] = ()) -> "
-                     "numpy.typing.NDArray[numpy.void]"),
+             nb::sig(("def contacts(structure: " + any +
+                      ", *, hbond_cutoff: float = -1.0, "
+                      "more_contacts: collections.abc.Sequence[str] = ()) -> "
+                      "numpy.typing.NDArray[numpy.void]")
+                         .c_str()),
              contacts_doc);
-  module.def("build_model", &model_of, "structure"_a, "model"_a = "protein", nb::kw_only(),
+  module.def(
+      "read_contacts",
+      [](const std::filesystem::path& path, const nb::object& molecule) {
+        const nb::object given = structure_from(molecule);
+        return contacts_to_python(read_contacts(path, nb::cast<const Structure&>(given)));
+      },
+      "path"_a, "structure"_a.none(),
+      nb::sig(("def read_contacts(path: str | os.PathLike[str], structure: " + any +
+               ") -> numpy.typing.NDArray[numpy.void]")
+                  .c_str()),
+      read_contacts_doc);
+  module.def("build_model", &model_of, "structure"_a.none(), "model"_a = "protein", nb::kw_only(),
              "keep_waters"_a = false, "keep"_a = std::vector<std::string>{},
              "protonate"_a = std::vector<std::string>{}, "floppy_below"_a = 0.0,
              "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff, "contacts"_a = nb::none(),
              "pin"_a = "", "fill_side_chains"_a = false, "all_hydrogens"_a = false,
              "free_torsions"_a = false, "more_contacts"_a = std::vector<std::string>{},
-             nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
-                     "keep_waters: bool = False, keep: collections.abc.Sequence[str] = (), "
-                     "protonate: collections.abc.Sequence[str] = (), "
-                     "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
-                     "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
-                     "fill_side_chains: bool = False, all_hydrogens: bool = False, "
-                     "free_torsions: bool = False, "
-                     "more_contacts: collections.abc.Sequence[str] = ()) -> MolecularModel"),
+             nb::sig(("def build_model(structure: " + any +
+                      ", model: " + literal_type(names_of(models())) +
+                      " = \"protein\", *, "
+                      "keep_waters: bool = False, keep: collections.abc.Sequence[str] = (), "
+                      "protonate: collections.abc.Sequence[str] = (), "
+                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
+                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
+                      "fill_side_chains: bool = False, all_hydrogens: bool = False, "
+                      "free_torsions: bool = False, "
+                      "more_contacts: collections.abc.Sequence[str] = ()) -> MolecularModel")
+                         .c_str()),
              build_doc);
 }
 

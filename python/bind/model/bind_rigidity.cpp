@@ -37,9 +37,8 @@ ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& 
     return {model.structure, options.contacts ? *options.contacts : model.contacts, model.notes,
             model.missing, model.left_out};
   }
-  if (!nb::isinstance<Structure>(argument))
-    throw nb::type_error("structure: expected a Structure or a MolecularModel");
-  const auto& structure = nb::cast<const Structure&>(argument);
+  const nb::object given = structure_from(argument);
+  const auto& structure = nb::cast<const Structure&>(given);
   const nb::gil_scoped_release no_gil;
   return contact_model(structure, options);
 }
@@ -131,9 +130,9 @@ the cut-off of hydrogen bonds (``Rigidity.dilution``).
 
 Parameters
 ----------
-structure : Structure or MolecularModel
-    A structure with its bonds, as ``read`` gives it, which is prepared first; or a model, which is
-    taken with its contacts as it is.
+structure : Structure, path, Universe, AtomGroup, rdkit.Chem.Mol or MolecularModel
+    A molecule, as ``sample`` takes it, which is prepared first; or a model, which is taken with its
+    contacts as it is.
 hbond_cutoff : float
     As in ``contacts``.
 contacts : array, optional
@@ -354,14 +353,15 @@ void bind_rigidity(nb::module_& module) {
            " degrees of freedom of " + std::to_string(self.rigidity.network.atoms) + " atoms>";
   });
   const std::string signature =
-      "def rigidity(structure: Structure | MolecularModel, *, hbond_cutoff: float = -1.0, "
+      "def rigidity(structure: MolecularModel | " + std::string(any_molecule) +
+      ", *, hbond_cutoff: float = -1.0, "
       "contacts: numpy.typing.ArrayLike | None = None, keep_waters: bool = False, "
       "keep: collections.abc.Sequence[str] = (), protonate: collections.abc.Sequence[str] = (), "
       "more_contacts: collections.abc.Sequence[str] = (), " +
       argument_texts(rigidity_fields(), RigidityAsked()) + ") -> Rigidity";
   const std::string doc =
       rigidity_doc + argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
-  module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
+  module.def("rigidity", &rigidity_of, "structure"_a.none(), nb::kw_only(), "hbond_cutoff"_a = -1.0,
              "contacts"_a = nb::none(), "keep_waters"_a = false,
              "keep"_a = std::vector<std::string>{}, "protonate"_a = std::vector<std::string>{},
              "more_contacts"_a = std::vector<std::string>{}, "options"_a,

@@ -109,6 +109,12 @@ void bind_atoms(nb::class_<Structure>& structure) {
       "(N,) float32, read-only view: B factors of the file (Angstrom^2), or what stands in their "
       "column, such as pLDDT; (0,) where the format has none.");
   structure.def_prop_ro(
+      "charges",
+      [](const Structure& self) {
+        return array_of(std::vector<std::int64_t>(self.charges.begin(), self.charges.end()));
+      },
+      nb::rv_policy::reference, "(N,) int64: formal charges; (0,) where none are known.");
+  structure.def_prop_ro(
       "masses", [](const Structure& self) { return array_of(masses_of(self)); },
       nb::rv_policy::reference, "(N,) float64: masses of the elements in u.");
 }
@@ -242,6 +248,8 @@ bonds : (M, 2) integers, optional
     Pairs of atoms, from 0.
 bond_orders : (M,) integers, optional
     1, 2, 3; 4 for aromatic; 0 not known.
+charges : (N,) integers, optional
+    Formal charges, -127 to 127; default: none are known.
 title : str
 
 Raises
@@ -253,13 +261,18 @@ InputError
 
 }  // namespace
 
+nb::object structure_from(nb::handle argument) {
+  if (nb::isinstance<Structure>(argument)) return nb::borrow(argument);
+  return nb::module_::import_("pliant._trajectory.sources").attr("structure_of")(argument);
+}
+
 nb::class_<Structure> bind_structure(nb::module_& module) {
   nb::class_<Structure> structure(module, "Structure", structure_doc);
   structure.def("__init__", &make_structure, "positions"_a, nb::kw_only(),
                 "elements"_a = nb::none(), "names"_a = nb::none(), "residue_names"_a = nb::none(),
                 "residue_ids"_a = nb::none(), "insertion_codes"_a = nb::none(),
                 "chains"_a = nb::none(), "serials"_a = nb::none(), "bonds"_a = nb::none(),
-                "bond_orders"_a = nb::none(), "title"_a = "");
+                "bond_orders"_a = nb::none(), "charges"_a = nb::none(), "title"_a = "");
   bind_facts(structure);
   bind_atoms(structure);
   bind_residues(structure);

@@ -115,6 +115,19 @@ std::vector<Bond> bonds_from(const ArrayLike& pairs, const OptionalArray& orders
   return bonds;
 }
 
+/// Empty where all are 0, as readers have it.
+std::vector<std::int8_t> charges_from(const ArrayLike& column, std::size_t count) {
+  constexpr std::int64_t most = 127;
+  const std::vector<std::int64_t> values = integers_from(column, "charges");
+  check_length("charges", values, count, "atoms");
+  for (std::size_t i = 0; i < count; ++i)
+    if (values[i] < -most || values[i] > most)
+      throw InputError("charges[" + std::to_string(i) + "]: expected -127 to 127, found " +
+                       std::to_string(values[i]));
+  if (std::all_of(values.begin(), values.end(), [](std::int64_t q) { return q == 0; })) return {};
+  return {values.begin(), values.end()};
+}
+
 void check_finite(const std::vector<Vec3>& positions) {
   for (std::size_t i = 0; i < positions.size(); ++i)
     if (!is_finite(positions[i]))
@@ -144,7 +157,8 @@ void make_structure(Structure* self, const ArrayLike& positions, const OptionalA
                     const Texts& names, const Texts& residue_names,
                     const OptionalArray& residue_ids, const Texts& insertion_codes,
                     const Texts& chains, const OptionalArray& serials, const OptionalArray& bonds,
-                    const OptionalArray& bond_orders, const std::string& title) {
+                    const OptionalArray& bond_orders, const OptionalArray& charges,
+                    const std::string& title) {
   Structure made;
   made.title = title;
   made.positions = positions_from(positions);
@@ -160,6 +174,7 @@ void make_structure(Structure* self, const ArrayLike& positions, const OptionalA
   if (residue_ids) columns.ids = integers_from(*residue_ids, "residue_ids");
   take_residues(made.atoms, columns, count);
   if (bonds) made.bonds = canonical(bonds_from(*bonds, bond_orders, count));
+  if (charges) made.charges = charges_from(*charges, count);
   new (self) Structure(std::move(made));
 }
 

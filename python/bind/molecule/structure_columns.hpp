@@ -14,7 +14,8 @@ void make_structure(Structure* self, const ArrayLike& positions, const OptionalA
                     const Texts& names, const Texts& residue_names,
                     const OptionalArray& residue_ids, const Texts& insertion_codes,
                     const Texts& chains, const OptionalArray& serials, const OptionalArray& bonds,
-                    const OptionalArray& bond_orders, const std::string& title);
+                    const OptionalArray& bond_orders, const OptionalArray& charges,
+                    const std::string& title);
 
 /// Bonds with a < b, sorted by (a, b), each pair once with its highest order.
 std::vector<Bond> canonical(std::vector<Bond> bonds);

@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "checks.hpp"
+#include "framework/frame.hpp"
 #include "messages.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
@@ -61,8 +62,8 @@ void bind_pdb_recorder(nb::module_& module) {
           },
           "positions"_a, "Adds a model of positions (N, 3), Angstrom.")
       .def(
-          "__call__", [](PdbRecorder& self, const Frame& frame) { self.record(frame); }, "frame"_a,
-          "Adds a frame, so that it is an observer.")
+          "__call__", [](PdbRecorder& self, const OwnedFrame& frame) { self.record(frame.frame); },
+          "frame"_a, "Adds a frame, so that it is an observer.")
       .def("close", &PdbRecorder::close, "Ends the file and gives it its name.")
       .def_prop_ro("models", &PdbRecorder::models, "Models recorded.")
       .def_prop_ro("path", &PdbRecorder::path, "Where the file is.")

@@ -7,6 +7,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/variant.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -50,8 +51,16 @@ void end_runs(const std::vector<LockedRecorder*>& recorders, const State& state)
     shared->use([&](H5mdRecorder& recorder) { recorder.end_run(state); });
 }
 
+/// Whether all frames of a run take no more than so many bytes.
+bool are_kept(const Framework& framework, const RunOptions& options, std::int64_t most) {
+  const auto bytes = static_cast<std::int64_t>(framework.joint_count() * sizeof(Vec3));
+  const std::int64_t frames = options.steps / std::max<std::int64_t>(options.every, 1) + 2;
+  return bytes > 0 && frames <= most / bytes;
+}
+
 OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
-                          const std::vector<nb::object>& observers, ForceRecorder* forces) {
+                          const std::vector<nb::object>& observers, ForceRecorder* forces,
+                          std::int64_t most_kept) {
   check_pushes(framework, options.replay);
   show_framework(options.technique, framework);
   const StateInUse in_use(nb::cast<const State&>(state));
@@ -71,7 +80,12 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
     if (nb::isinstance<LockedRecorder>(observer))
       recorders.push_back(&nb::cast<LockedRecorder&>(observer));
   }
-  all.push_back([&](const Frame&) { return watch(done); });
+  std::vector<Vec3> kept;
+  const bool keep = are_kept(framework, options, most_kept);
+  all.push_back([&](const Frame& frame) {
+    if (keep) kept.insert(kept.end(), frame.positions.begin(), frame.positions.end());
+    return watch(done);
+  });
   RunSummary summary;
   {
     State& moved = nb::cast<State&>(state);
@@ -81,7 +95,7 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
     end_runs(recorders, moved);
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
-  return {summary, nb::borrow(state)};
+  return {summary, nb::borrow(state), std::move(kept)};
 }
 
 /// The attribute of one row of the table of options.
@@ -186,8 +200,26 @@ void bind_force_recorder(nb::module_& module) {
           "made are noted in it. Raises FileError if it cannot be made.");
 }
 
+void bind_kept(nb::class_<OwnedRunSummary>& summary) {
+  summary
+      .def(
+          "__init__",
+          [](OwnedRunSummary* self, OwnedRunSummary& other) {
+            new (self) OwnedRunSummary(std::move(other));
+          },
+          "other"_a, "Takes what ``other`` holds.")
+      .def_prop_ro(
+          "kept",
+          [](nb::handle_t<OwnedRunSummary> self) {
+            return view_of(nb::cast<OwnedRunSummary&>(self).kept, self);
+          },
+          "(F * N, 3) float64 view, Angstrom: frames that were kept in memory.");
+}
+
 void bind_run_summary(nb::module_& module) {
-  nb::class_<OwnedRunSummary>(module, "RunSummary", "What a run did.")
+  nb::class_<OwnedRunSummary> summary(module, "RunSummary", "What a run did.");
+  bind_kept(summary);
+  summary
       .def_ro("state", &OwnedRunSummary::state, nb::sig("def state(self) -> State"),
               "What the run moved: its last positions.")
       .def_ro("steps", &RunSummary::steps, "Steps done.")
@@ -232,8 +264,9 @@ void bind_run(nb::module_& module) {
   bind_force_recorder(module);
   bind_run_summary(module);
   module.def("run_steps", &run_steps, "framework"_a, "state"_a, "options"_a, "observers"_a,
-             "forces"_a = nb::none(),
-             "Steps ``state`` on and shows frames to observers; the function ``run`` says more.");
+             "forces"_a = nb::none(), "most_kept"_a = 0,
+             "Steps ``state`` on and shows frames to observers; the function ``run`` says more. Frames\n"
+             "that take at most ``most_kept`` bytes in all are kept in memory.");
 }
 
 }  // namespace pliant::python

@@ -11,6 +11,7 @@ namespace pliant::python {
 /// Summary of a run, and its last state.
 struct OwnedRunSummary : RunSummary {
   nb::object state;
+  std::vector<Vec3> kept = {};  ///< (F * N) Angstrom; empty where frames were not kept
 };
 
 /// Whether the result of a Python observer asks to stop, being true. Needs the GIL.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Sampling: ways to move, and ensembles of frames.
+#include <algorithm>
 #include <optional>
+#include <thread>
 #include <utility>
 
-#include "arrays.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "molecule/structure.hpp"
@@ -18,20 +19,12 @@
 #include "pliant/sample/samplers.hpp"
 #include "pliant/tasks/asked_amplitude.hpp"
 #include "pliant/tasks/sample_task.hpp"
-#include "record/recorded_bonds.hpp"
 #include "sample/asked_amplitude.hpp"
+#include "sample/sampled_ensemble.hpp"
 #include "tables.hpp"
 
 namespace pliant::python {
 namespace {
-
-/// Frames, and what they were made of.
-struct SampledEnsemble {
-  MolecularModel model;
-  AmplitudeChoice amplitude;
-  std::vector<Vec3> positions;  ///< (F * N)
-  SampleSummary summary;
-};
 
 MolecularModel model_from(const nb::handle& argument, const std::string& model,
                           std::vector<std::string> keep) {
@@ -41,9 +34,8 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model,
     refuse_drawing(nb::cast<const MolecularModel&>(argument).structure);
     return nb::cast<MolecularModel>(argument);
   }
-  if (!nb::isinstance<Structure>(argument))
-    throw nb::type_error("structure: expected a Structure or a MolecularModel");
-  const auto& structure = nb::cast<const Structure&>(argument);
+  const nb::object given = structure_from(argument);
+  const auto& structure = nb::cast<const Structure&>(given);
   refuse_drawing(structure);
   ModelOptions options;
   options.kind = usual_model(structure);
@@ -53,54 +45,17 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model,
   return build_model(structure, options);
 }
 
-/// Where frames are written besides.
-struct Output {
-  std::optional<std::filesystem::path> path;
-  H5mdOptions options;
-  std::string save = {};  ///< selection of the atoms; "": all
-};
-
-Output output_from(const std::optional<std::filesystem::path>& path, bool overwrite, bool single,
-                   bool compress, double precision, const std::string& save) {
-  if (path && path->extension() != ".h5md" && path->extension() != ".h5")
-    throw OptionError("output: " + path->string() +
-                      ": expected a name that ends in .h5md; pliant.convert writes other formats");
-  return {path,
-          {.single = single,
-           .compress = compress,
-           .precision = precision,
-           .overwrite = overwrite,
-           .log = unraisable_python_log()},
-          save};
-}
-
-H5mdHeader header_of_sample(const SampledEnsemble& made, const SampleTask& task,
-                            const Output& output) {
-  H5mdHeader header = header_of(&made.model.structure);
-  header.inputs = sample_inputs(task.start(), task.nodes());
-  header.parameters = parameters_of(task.options());
-  const std::string file = std::filesystem::path(made.model.structure.source).filename().string();
-  header.parameters.insert(header.parameters.end(),
-                           {{"input/file", file},
-                            {"sample/amplitude_from", made.amplitude.source},
-                            {"sample/amplitude_reason", made.amplitude.reason},
-                            {"model/kind", std::string(entry(made.model.kind).name)},
-                            left_out_of(made.model)});
-  for (NamedParameter& one : parameters_of(output.options, output.save))
-    header.parameters.push_back(std::move(one));
-  return header;
-}
-
 /// Needs the GIL not to be held.
-void fill(SampledEnsemble& out, const SampleTask& task, const Output& output,
+void fill(SampledEnsemble& out, const SampleTask& task, const SampleOutput& output,
           InterruptWatch& watch) {
+  out.header = header_of_sample(out.model, out.amplitude, task);
   std::optional<H5mdRecorder> recorder;
   if (output.path)
-    recorder.emplace(*output.path, task.framework(), header_of_sample(out, task, output),
+    recorder.emplace(*output.path, task.framework(), header_for(out.header, output),
                      output.options);
   out.summary = task.run([&](const Frame& frame) {
     if (recorder) recorder->record(frame);
-    out.positions.insert(out.positions.end(), frame.positions.begin(), frame.positions.end());
+    out.add(frame);
     return watch(frame.step - task.options().first_frame + 1);
   });
   if (recorder) recorder->close();
@@ -117,20 +72,42 @@ SampleAsked asked_of(SampledEnsemble& out, const std::optional<AskedAmplitude>& 
   return asked;
 }
 
-SampledEnsemble sample_from(const nb::handle& structure, const nb::object& frames,
-                            const std::optional<AskedAmplitude>& amplitude,
-                            const std::string& model, std::vector<std::string> keep,
-                            const std::optional<std::filesystem::path>& path, bool overwrite,
-                            bool single, bool compress, double precision, const std::string& save,
-                            const nb::kwargs& more) {
+std::int64_t all_cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+/// As the class that has methods of frames besides: that of pliant, which is written in Python.
+nb::object in_python(SampledEnsemble&& made, const std::optional<std::filesystem::path>& path) {
+  const nb::object type =
+      nb::module_::import_("pliant._trajectory.results").attr("SampledEnsemble");
+  nb::object object = nb::inst_alloc(type);
+  new (nb::inst_ptr<SampledEnsemble>(object)) SampledEnsemble(std::move(made));
+  nb::inst_mark_ready(object);
+  if (path) object.attr("output") = *path;
+  return object;
+}
+
+/// What is wrong with options whatever the molecule is; no file is read before.
+void check_before(SampleOptions options) {
+  if (options.sampler == automatic_sampler) options.sampler = SampleOptions{}.sampler;
+  if (options.frames == open_frames) options.frames = SampleOptions{}.frames;
+  check(options);
+}
+
+nb::object sample_from(const nb::handle& structure, const nb::object& frames,
+                       const std::optional<AskedAmplitude>& amplitude, const std::string& model,
+                       std::vector<std::string> keep,
+                       const std::optional<std::filesystem::path>& path, bool overwrite,
+                       bool single, bool compress, double precision, const std::string& save,
+                       const nb::kwargs& more) {
   nb::dict given(more);
   if (!frames.is_none()) given["frames"] = frames;
   SampleOptions options = unset_sample_options();
+  options.threads = all_cores();
   take_values(sample_fields(), given, options);
   refuse_unknown(nb::module_::import_("pliant._core").attr("sample"), nb::make_tuple(structure),
                  given);
-  Output output = output_from(path, overwrite, single, compress, precision, save);
-  SampledEnsemble out{model_from(structure, model, std::move(keep)), {}, {}, {}};
+  check_before(options);
+  SampleOutput output = sample_output(path, overwrite, single, compress, precision, save);
+  SampledEnsemble out{model_from(structure, model, std::move(keep)), {}, {}, {}, {}, {}, {}};
   const SampleAsked asked = asked_of(out, amplitude, std::move(options));
   const SampleTask task(subject_of(out.model), asked);
   InterruptWatch watch("frames", task.options().frames);
@@ -142,11 +119,12 @@ SampledEnsemble sample_from(const nb::handle& structure, const nb::object& frame
   if (watch.raised()) std::rethrow_exception(watch.raised());
   warn_of_amplitude(out.summary, python_log());
   if (task.conformers()) out.model.framework = *task.conformers();
-  return out;
+  return in_python(std::move(out), path);
 }
 
 SampleSummary continue_from(const std::filesystem::path& path, std::optional<std::int64_t> frames,
-                            std::int64_t threads, double flush_seconds, bool durable) {
+                            std::optional<std::int64_t> threads, double flush_seconds,
+                            bool durable) {
   const Log log = python_log();
   H5mdOptions recording{.flush_seconds = flush_seconds, .durable = durable};
   recording.log = unraisable_python_log();
@@ -161,22 +139,13 @@ SampleSummary continue_from(const std::filesystem::path& path, std::optional<std
       throw OptionError("frames = " + std::to_string(from.steps) + ": " + path.string() + " has " +
                         std::to_string(from.done) + " frames already");
     SampleOptions options = sample_options_from(from);
-    options.threads = threads;
+    options.threads = threads.value_or(all_cores());
     check(options);
     if (from.done < from.steps)
       summary = add_frames(from, options, recording, [&](const Frame&) { return watch(); });
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
   return summary;
-}
-
-using Frames = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
-
-Frames frames_of(nb::handle_t<SampledEnsemble> self) {
-  auto& ensemble = nb::cast<SampledEnsemble&>(self);
-  const std::size_t atoms = ensemble.model.positions.size();
-  const std::size_t frames = atoms == 0 ? 0 : ensemble.positions.size() / atoms;
-  return Frames(ensemble.positions.data(), {frames, atoms, 3}, self);
 }
 
 constexpr const char* doc_of_sample =
@@ -186,8 +155,9 @@ How far frames go is an input, not a prediction, and how often each occurs is no
 
 Parameters
 ----------
-structure : Structure or MolecularModel
-    A structure with its bonds, as ``read`` gives it, or the model of one.
+structure : Structure, path, Universe, AtomGroup, rdkit.Chem.Mol or MolecularModel
+    A molecule; of a Universe the current frame, of an RDKit molecule the first conformer. OpenMM's,
+    ProDy's and MDTraj's molecules are taken, too. Or the model of a structure.
 )";
 
 constexpr const char* doc_of_amplitude =
@@ -240,7 +210,7 @@ frames : int, optional
     How many frames there are to be in all, those in the file included. Default: as many as it was
     asked for.
 threads : int
-    From 1; changes no result.
+    From 1; changes no result. Default: all cores.
 flush_seconds, durable
     As for ``H5mdRecorder``.
 
@@ -260,70 +230,20 @@ FileError
     frames have other bits.
 )";
 
-const SampleSummary& summary_of(const SampledEnsemble& self) { return self.summary; }
-const SampleSummary& summary_of(const SampleSummary& self) { return self; }
-
-/// What an ensemble and its summary both tell.
-template <class T>
-void bind_summary(nb::class_<T>& to) {
-  to.def_prop_ro(
-        "redrawn", [](const T& self) { return summary_of(self).redrawn; },
-        "Frames whose first draw could not be resolved.")
-      .def_prop_ro(
-          "failed", [](const T& self) { return summary_of(self).failed; },
-          "Frames that no draw gave; they are left out.")
-      .def_prop_ro(
-          "amplitude_reached", [](const T& self) { return summary_of(self).amplitude_reached; },
-          "Mean r.m.s. fluctuation of residues in frames, superposed (Angstrom).")
-      .def_prop_ro(
-          "max_residual", [](const T& self) { return summary_of(self).max_residual; },
-          "Worst bar of all frames: abs(length - rest) / rest.")
-      .def_prop_ro(
-          "max_limit", [](const T& self) { return summary_of(self).max_limit; },
-          "Largest distance of a contact outside its interval (Angstrom).")
-      .def_prop_ro(
-          "max_overlap", [](const T& self) { return summary_of(self).max_overlap; },
-          "Largest overlap of two atoms (Angstrom).")
-      .def_prop_ro(
-          "rmsf", [](const T& self) { return array_of(summary_of(self).rmsf); },
-          nb::rv_policy::reference,
-          "(N,) float64: r.m.s. fluctuation of each atom about its mean, frames superposed "
-          "(Angstrom).")
-      .def_prop_ro(
-          "rmsf_error", [](const T& self) { return array_of(summary_of(self).rmsf_error); },
-          nb::rv_policy::reference,
-          "(N,) float64: half the difference between halves of the frames (Angstrom).");
-}
-
-void bind_ensemble_class(nb::module_& module) {
-  nb::class_<SampleSummary> summary(module, "SampleSummary", "What sampling did.");
-  summary.def_ro("frames", &SampleSummary::frames, "Frames made.");
-  bind_summary(summary);
-  nb::class_<SampledEnsemble> ensemble(module, "SampledEnsemble",
-                                       "Frames of a molecule, and how exact they are.");
-  ensemble.def_ro("model", &SampledEnsemble::model, "What was sampled.")
-      .def_prop_ro(
-          "amplitude_asked", [](const SampledEnsemble& self) { return self.amplitude.value; },
-          "Mean r.m.s. fluctuation of residues that was asked for (Angstrom).")
-      .def_prop_ro(
-          "amplitude_reason", [](const SampledEnsemble& self) { return self.amplitude.reason; },
-          "Origin of the amplitude that was asked for, in words.")
-      .def_prop_ro("positions", &frames_of, "(F, N, 3) float64 view, Angstrom.");
-  bind_summary(ensemble);
-}
-
 /// Options of scripts: frames come first and may be given by place.
 std::string signature() {
   SampleOptions usual = unset_sample_options();
-  std::string text = "def sample(structure: Structure | MolecularModel";
+  std::vector<std::string_view> models_or_none = names_of(models());
+  models_or_none.insert(models_or_none.begin(), "");
+  std::string text = "def sample(structure: MolecularModel | " + std::string(any_molecule);
   for (const SampleField& field : sample_fields()) {
     if (field.name == "frames")
       text += ", frames: int | None = None, *, amplitude: float | str | os.PathLike | None = None";
     else if (field.users.python)
       text += ", " + argument_text(field, field.place(usual));
   }
-  return text +
-         ", model: str = \"\", keep: collections.abc.Sequence[str] = (), "
+  return text + ", model: " + literal_type(models_or_none) +
+         " = \"\", keep: collections.abc.Sequence[str] = (), "
          "output: str | os.PathLike[str] | None = None, "
          "overwrite: bool = False, single: bool = False, compress: bool = False, "
          "precision: float = 0.0, save: str = '') -> SampledEnsemble";
@@ -340,7 +260,7 @@ std::string sample_doc() {
 }
 
 void bind_sample_function(nb::module_& module) {
-  module.def("sample", &sample_from, "structure"_a, "frames"_a = nb::none(), nb::kw_only(),
+  module.def("sample", &sample_from, "structure"_a.none(), "frames"_a = nb::none(), nb::kw_only(),
              "amplitude"_a = nb::none(), "model"_a = "", "keep"_a = std::vector<std::string>{},
              "output"_a = nb::none(), "overwrite"_a = false, "single"_a = false,
              "compress"_a = false, "precision"_a = 0.0, "save"_a = "", "options"_a,
@@ -356,12 +276,10 @@ void bind_sample(nb::module_& module) {
   module.def(
       "samplers", [] { return rows_of(samplers()); }, nb::rv_policy::reference,
       "The table of ways to move that ``sample`` knows.");
-  bind_ensemble_class(module);
+  bind_sampled_ensemble(module);
   bind_sample_function(module);
-  const SampleOptions usual;
   module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), nb::kw_only(),
-             "threads"_a = usual.threads, "flush_seconds"_a = 1.0, "durable"_a = false,
-             continue_doc);
+             "threads"_a = nb::none(), "flush_seconds"_a = 1.0, "durable"_a = false, continue_doc);
 }
 
 }  // namespace pliant::python

@@ -14,6 +14,8 @@ from pliant._chains import chain_of
 from pliant._checked import POSITIVE, checked, having
 from pliant._core import Framework, InputError, PliantWarning, Structure
 from pliant._extras import need
+from pliant._trajectory.sources import Molecule
+from pliant._trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import MDAnalysis
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
 _AROMATIC = {"ar", "aromatic", "1.5"}
 
 
-@checked(atoms=having("atoms", "a Universe or an AtomGroup"))
+@checked(atoms=having("atoms", 'a Universe or an AtomGroup, such as MDAnalysis.Universe("x.pdb")'))
 def from_mdanalysis(
     atoms: MDAnalysis.Universe | MDAnalysis.AtomGroup, *, perceive_bonds: bool | None = None
 ) -> Structure:
@@ -67,15 +69,19 @@ def from_mdanalysis(
 
 @checked(timestep=POSITIVE)
 def to_mdanalysis(
-    source: Structure | Framework, positions: npt.ArrayLike | None = None, *, timestep: float = 1.0
+    source: Structure | Framework | Molecule,
+    positions: npt.ArrayLike | None = None,
+    *,
+    timestep: float = 1.0,
 ) -> MDAnalysis.Universe:
     """Return a universe with names, residues and bonds; for a framework, bars become bonds.
 
     Parameters
     ----------
-    source : Structure or Framework
+    source : Structure, Framework, SampledEnsemble, Trajectory, path, ...
+        A framework, or what a `Trajectory` is made of.
     positions : (N, 3) or (F, N, 3) Angstrom, optional
-        One frame or several, kept in memory. Default: the structure's own.
+        One frame or several, kept in memory. Default: all of `source`.
     timestep : float
         Time between frames in ps.
 
@@ -84,21 +90,17 @@ def to_mdanalysis(
     ImportError
         MDAnalysis is not installed; the message says how to install it.
     """
-    if positions is None:
-        if isinstance(source, Framework):
-            raise TypeError("to_mdanalysis: a framework has no positions: give them")
-        positions = source.positions
-    count = len(source) if isinstance(source, Structure) else source.joint_count
-    frames = _frames(positions, count)
     need("pliant.to_mdanalysis", "MDAnalysis")
-    universe = (
-        _universe_of_structure(source)
-        if isinstance(source, Structure)
-        else _universe_of_framework(source)
-    )
+    if isinstance(source, Framework):
+        if positions is None:
+            raise TypeError("to_mdanalysis: a framework has no positions: give them")
+        universe, frames = _universe_of_framework(source), _frames(positions, source.joint_count)
+    else:
+        trajectory = Trajectory(source, positions)
+        universe, frames = _universe_of_structure(trajectory.structure), trajectory.positions
     from MDAnalysis.coordinates.memory import MemoryReader
 
-    universe.load_new(frames, format=MemoryReader, order="fac", dt=timestep)
+    universe.load_new(np.array(frames), format=MemoryReader, order="fac", dt=timestep)
     return universe
 
 

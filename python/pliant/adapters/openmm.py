@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from pliant._checked import checked, having
-from pliant._core import Framework, PliantWarning, Structure
+from pliant._checked import Wanted, checked, having
+from pliant._core import Framework, InputError, PliantWarning, Structure
 from pliant._extras import need
+from pliant._trajectory.sources import Molecule
+from pliant._trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import openmm
@@ -20,18 +22,29 @@ if TYPE_CHECKING:
 _ANGSTROM_PER_NM = 10.0
 
 
-@checked(topology=having("atoms", "an openmm.app.Topology"))
+_SOURCE = Wanted(
+    "an openmm.app.Topology, or a Modeller, PDBFile or Simulation",
+    lambda x: hasattr(x, "atoms") or hasattr(x, "topology"),
+    TypeError,
+)
+
+
+@checked(topology=_SOURCE)
 def from_openmm(
-    topology: openmm.app.Topology, positions: Any, *, perceive_bonds: bool | None = None
+    topology: openmm.app.Topology | openmm.app.Modeller,
+    positions: Any = None,
+    *,
+    perceive_bonds: bool | None = None,
 ) -> Structure:
     """Return an OpenMM topology with positions as a structure.
 
     Parameters
     ----------
     topology : openmm.app.Topology
-    positions : Quantity, or (N, 3) numbers in nm
+        Or a Modeller, PDBFile, PDBxFile or Simulation, which has positions.
+    positions : Quantity, or (N, 3) numbers in nm, optional
         As everywhere in OpenMM; they are converted to Angstrom. Molecules that the topology's box
-        cuts are made whole.
+        cuts are made whole. Default: those of `topology`.
     perceive_bonds : bool, optional
         Add bonds by residue templates, links and distances. Default: only if the topology has
         no bonds at all.
@@ -42,6 +55,8 @@ def from_openmm(
         The id of some residue is not a number: all residues are then numbered from 1.
     """
     need("pliant.from_openmm", "openmm")
+    if positions is None:
+        topology, positions = _opened(topology)
     atoms = list(topology.atoms())
     bonds = list(topology.bonds())
     structure = Structure(
@@ -89,6 +104,66 @@ def constraints_from_openmm(system: openmm.System, structure: Structure | None =
         masses=np.where(masses > 0, masses, 1.0),
         pinned=masses == 0,
         structure=structure,
+    )
+
+
+def to_openmm(source: Molecule | Structure, frame: int = 0) -> openmm.app.Modeller:
+    """Return an openmm.app.Modeller: a topology with the positions of one frame.
+
+    Parameters
+    ----------
+    source : Structure, SampledEnsemble, Trajectory, path, ...
+        What a `Trajectory` is made of.
+    frame : int
+        Which of its frames, from 0; negative ones count from the end.
+
+    Raises
+    ------
+    ImportError
+        OpenMM is not installed; the message says how to install it.
+    """
+    need("pliant.to_openmm", "openmm")
+    from openmm import app, unit
+
+    frames = Trajectory(source)
+    positions = frames[frame] / _ANGSTROM_PER_NM
+    return app.Modeller(_topology(frames.structure), positions * unit.nanometer)
+
+
+def _topology(structure: Structure) -> Any:
+    from openmm import app
+
+    kinds = {1: app.Single, 2: app.Double, 3: app.Triple, 4: app.Aromatic}
+    topology = app.Topology()
+    chain = residue = None
+    before: tuple[str | None, int] = (None, -1)
+    chains, names, residue_ids = structure.chains, structure.names, structure.residue_ids
+    for k, here in enumerate(structure.residue_of.tolist()):
+        if chains[k] != before[0]:
+            chain = topology.addChain(str(chains[k]))
+        if (chains[k], here) != before:
+            name, code = str(structure.residue_names[k]), str(structure.insertion_codes[k])
+            residue = topology.addResidue(name, chain, str(residue_ids[k]), code)
+        before = (chains[k], here)
+        number = int(structure.elements[k])
+        element = app.Element.getByAtomicNumber(number) if number else None
+        topology.addAtom(str(names[k]), element, residue, str(structure.serials[k]))
+    atoms = list(topology.atoms())
+    for (a, b), order in zip(structure.bonds.tolist(), structure.bond_orders.tolist(), strict=True):
+        topology.addBond(
+            atoms[a], atoms[b], kinds.get(order), order if order in (1, 2, 3) else None
+        )
+    return topology
+
+
+def _opened(given: Any) -> tuple[Any, Any]:
+    """The topology and the positions of an object of OpenMM that has both."""
+    if hasattr(given, "positions"):
+        return given.topology, given.positions
+    if hasattr(given, "context"):
+        return given.topology, given.context.getState(getPositions=True).getPositions()
+    raise InputError(
+        "the topology has no positions: pliant.from_openmm(pdb.topology, pdb.positions)"
     )
 
 

@@ -1,19 +1,27 @@
 # SPDX-License-Identifier: MIT
-"""RDKit: a molecule with a conformer as a structure."""
+"""RDKit: a molecule with a conformer as a structure, and frames as conformers."""
 
 from __future__ import annotations
 
 import warnings
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+import numpy.typing as npt
+
 from pliant._checked import checked, having
 from pliant._core import InputError, PliantWarning, Structure
+from pliant._extras import need
+from pliant._trajectory.sources import Molecule
+from pliant._trajectory.trajectory import Trajectory
+
+_WANTED = 'an rdkit.Chem.Mol, such as Chem.MolFromMolFile("x.sdf", removeHs=False)'
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
 
-@checked(molecule=having("GetConformers", "an rdkit.Chem.Mol"))
+@checked(molecule=having("GetConformers", _WANTED, takes_none=False))
 def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
     """Return an RDKit molecule as a structure: its atoms, bonds with orders, and one conformer.
 
@@ -37,7 +45,7 @@ def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
     if not ids:
         raise InputError(
             "the molecule has no conformer, so that its atoms have no positions: make one with "
-            "rdkit.Chem.AllChem.EmbedMolecule(molecule)"
+            "molecule = Chem.AddHs(molecule); AllChem.EmbedMolecule(molecule, randomSeed=1)"
         )
     if conformer != -1 and conformer not in ids:
         raise InputError(f"the molecule has no conformer {conformer}; it has {ids}")
@@ -55,7 +63,131 @@ def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
         chains=[chain for *_, chain in places],
         bonds=[(bond.GetBeginAtomIdx(), bond.GetEndAtomIdx()) for bond in bonds],
         bond_orders=[_order(bond) for bond in bonds],
+        charges=[atom.GetFormalCharge() for atom in atoms],
         title=molecule.GetProp("_Name") if molecule.HasProp("_Name") else "",
+    )
+
+
+def rdkit_frames(molecule: Mol) -> npt.NDArray[np.float64]:
+    """(F, N, 3) Angstrom: all conformers."""
+    return np.array([conformer.GetPositions() for conformer in molecule.GetConformers()])
+
+
+def to_rdkit(source: Molecule | Structure) -> Mol:
+    """Return an RDKit molecule with a conformer for each frame.
+
+    Bond orders and formal charges are those that are known; where an order is not known, it is 1,
+    and charges then follow from the number of bonds. Stereo is assigned from the first frame.
+
+    Parameters
+    ----------
+    source : Structure, SampledEnsemble, Trajectory, path, ...
+        What a `Trajectory` is made of.
+
+    Raises
+    ------
+    ImportError
+        RDKit is not installed; the message says how to install it.
+
+    Warns
+    -----
+    PliantWarning
+        RDKit does not accept its valences: the molecule is then not sanitised.
+    """
+    need("pliant.to_rdkit", "rdkit")
+    from rdkit import Chem
+
+    frames = Trajectory(source)
+    molecule = _bonded(frames.structure)
+    for positions in frames:
+        conformer = Chem.Conformer(len(positions))
+        conformer.SetPositions(np.ascontiguousarray(positions))
+        molecule.AddConformer(conformer, assignId=True)
+    unfit = Chem.SanitizeMol(molecule, catchErrors=True)
+    if unfit:
+        warnings.warn(
+            f"RDKit does not accept the molecule ({unfit}): it is not sanitised",
+            PliantWarning,
+            stacklevel=3,
+        )
+    elif len(frames):
+        Chem.AssignStereochemistryFrom3D(molecule)
+    made: Mol = molecule
+    return made
+
+
+def _bonded(structure: Structure) -> Any:
+    """Atoms and bonds, without conformers."""
+    from rdkit import Chem
+
+    kinds = Chem.BondType
+    known = {2: kinds.DOUBLE, 3: kinds.TRIPLE, 4: kinds.AROMATIC}
+    orders, bonds = structure.bond_orders, structure.bonds
+    molecule = Chem.RWMol()
+    for number in structure.elements:
+        molecule.AddAtom(Chem.Atom(int(number)))
+    for (a, b), order in zip(bonds.tolist(), orders.tolist(), strict=True):
+        molecule.AddBond(a, b, known.get(order, kinds.SINGLE))
+    for a, b in bonds[orders == 4].tolist():
+        for atom in (a, b):
+            molecule.GetAtomWithIdx(atom).SetIsAromatic(True)
+    charges = _charges(structure)
+    on_carbon = _has_hydrogens_on_carbon(structure)
+    named = zip(molecule.GetAtoms(), structure.names, charges, strict=True)
+    for k, (atom, name, charge) in enumerate(named):
+        atom.SetFormalCharge(int(charge))
+        atom.SetNoImplicit(on_carbon or atom.GetAtomicNum() != _CARBON)
+        if structure.residue_names[k] != "UNK":
+            atom.SetMonomerInfo(_residue_info(structure, k, str(name)))
+    if structure.title:
+        molecule.SetProp("_Name", structure.title)
+    made: Any = molecule.GetMol()
+    return made
+
+
+_CARBON = 6
+_AROMATIC = 4  #: order
+
+#: Charges by element and number of valences in use, for atoms all of whose hydrogens are there.
+_CHARGED = {(7, 4): 1, (7, 2): -1, (8, 3): 1, (8, 1): -1, (16, 1): -1, (16, 3): 1, (15, 4): 1}
+
+
+def _charges(structure: Structure) -> npt.NDArray[np.int64]:
+    """(N,) those of the structure, else by valence; none where it has no hydrogens."""
+    if len(structure.charges):
+        return structure.charges
+    charges = np.zeros(len(structure), dtype=np.int64)
+    if not (structure.elements == 1).any():
+        return charges
+    used = np.zeros(len(structure), dtype=np.int64)
+    orders = np.maximum(structure.bond_orders, 1).astype(np.int64)
+    for ends in structure.bonds.T:
+        np.add.at(used, ends, orders)
+    used[structure.bonds[structure.bond_orders == _AROMATIC]] = 0
+    for k in np.flatnonzero(used):
+        charges[k] = _CHARGED.get((int(structure.elements[k]), int(used[k])), 0)
+    return charges
+
+
+def _has_hydrogens_on_carbon(structure: Structure) -> bool:
+    ends = structure.elements[structure.bonds]
+    return (
+        bool(((ends.min(axis=1) == 1) & (ends.max(axis=1) == _CARBON)).any())
+        if len(ends)
+        else False
+    )
+
+
+def _residue_info(structure: Structure, atom: int, name: str) -> Any:
+    from rdkit import Chem
+
+    return Chem.AtomPDBResidueInfo(
+        f" {name:<3}" if len(name) < 4 else name,
+        int(structure.serials[atom]),
+        residueName=str(structure.residue_names[atom]),
+        residueNumber=int(structure.residue_ids[atom]),
+        chainId=str(structure.chains[atom]),
+        insertionCode=str(structure.insertion_codes[atom]),
     )
 
 

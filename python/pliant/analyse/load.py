@@ -13,9 +13,10 @@ import h5py
 import MDAnalysis
 
 import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
-from pliant import _hdf5
+from pliant import _core, _hdf5
 from pliant._core import InputError
 from pliant._hdf5.expansion import check_stored
+from pliant._trajectory.frames import check_atoms
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe
@@ -92,5 +93,18 @@ def _open(path: Path, topology: str | os.PathLike[str] | None) -> Universe:
     except Exception as error:  # MDAnalysis raises whatever its readers meet
         what = path if topology is None else f"{path} with topology {topology}"
         advice = "" if topology is not None else "; --topology FILE names one with the atoms"
+        if topology is not None:
+            _check_atoms(path, Path(topology))
         reason = " ".join(str(error).split()) or type(error).__name__
         raise InputError(f"{what}: MDAnalysis cannot read it: {reason}{advice}") from error
+
+
+def _check_atoms(path: Path, topology: Path) -> None:
+    """Raises InputError where a topology is that of what was sampled, not of what was prepared."""
+    if path.suffix.lower() not in (".h5md", ".h5", ".hdf5"):
+        return
+    try:
+        structure, frames = _core.read(os.fspath(topology)), _core.H5mdReader(os.fspath(path))
+    except _core.Error:  # MDAnalysis says what is wrong with it
+        return
+    check_atoms(structure, frames.joint_count, f"{path} with topology {topology}")

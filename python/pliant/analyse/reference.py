@@ -11,6 +11,7 @@ import MDAnalysis
 import numpy as np
 
 from pliant._core import InputError
+from pliant._output_names import start_beside
 from pliant.analyse.parts import ReferenceStructure
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def reference_of(analysis: Analysis) -> ReferenceStructure:
     named = analysis.options.reference
     if named is not None:
         return ReferenceStructure(_same_atoms(analysis.universe, Path(named)), Path(named).name)
-    beside, note = Path(analysis.options.path).with_suffix(".pdb"), ""
+    beside, note = start_beside(analysis.options.path), ""
     if analysis.record is not None and beside.is_file():
         try:
             positions = _same_atoms(analysis.universe, beside)

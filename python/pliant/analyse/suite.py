@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -12,8 +13,11 @@ from typing import Any
 import MDAnalysis  # noqa: F401  (before pliant.analysis, which says that it lacks MDAnalysis itself)
 
 from pliant._checked import NOT_ZERO, PAIRS_OF_TEXTS, checked, whole
+from pliant._core import InputError
 from pliant._display import Displayed, Facts
 from pliant._progress import Stages
+from pliant._trajectory.sources import Molecule
+from pliant._trajectory.trajectory import HasFrames, Trajectory
 from pliant.analyse.analysis import Analysis, AnalysisOptions
 from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.stages import STAGES, analyse_trajectory
@@ -33,6 +37,9 @@ class AnalysisReport(Displayed):
     outputs: dict[str, Any] = field(
         default_factory=dict
     )  #: paths of the files, if any were written
+
+    #: where frames from memory are, as long as they may be read
+    folder: tempfile.TemporaryDirectory[str] | None = field(default=None, repr=False)
 
     @property
     def verdict(self) -> Verdict:
@@ -55,7 +62,7 @@ class AnalysisReport(Displayed):
     step=NOT_ZERO, workers=whole(1, MOST_PROCESSES), dpi=whole(50, 1200), distances=PAIRS_OF_TEXTS
 )
 def analyse(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | HasFrames | Molecule,
     output: str | os.PathLike[str] | None = None,
     *,
     topology: str | os.PathLike[str] | None = None,
@@ -81,8 +88,8 @@ def analyse(
 
     Parameters
     ----------
-    path : str or path
-        H5MD file of ``pliant run``, or any trajectory that MDAnalysis reads.
+    path : str or path, SampledEnsemble, RunResult, MolecularPath, Trajectory, Universe, ...
+        H5MD file of ``pliant run``, or any trajectory that MDAnalysis reads; or what has frames.
     output : str or path, optional
         Folder for figures (PNG), tables (CSV) and report.html; files of an earlier report are
         replaced.
@@ -117,12 +124,13 @@ def analyse(
     ImportError
         MDAnalysis or matplotlib is not installed; the message says how to install it.
     InputError
-        The file cannot be used; the message says why.
+        The file cannot be used, or there is one frame only; the message says why.
     OptionError
         The choice of atoms or frames is wrong or empty.
     """
     if output is not None:
         check_folder(Path(output))
+    path, folder = file_of(path)
     options = AnalysisOptions(
         os.fspath(path),
         None if topology is None else os.fspath(topology),
@@ -138,9 +146,27 @@ def analyse(
         tuple((str(a), str(b)) for a, b in distances),
     )
     if on_stage is not None:
-        return _analysed(options, output, dpi, on_stage)
+        return _analysed(options, output, dpi, on_stage, folder)
     with Stages("analysing", 2 + len(STAGES)) as stages:
-        return _analysed(options, output, dpi, stages)
+        return _analysed(options, output, dpi, stages, folder)
+
+
+def file_of(given: Any) -> tuple[str, tempfile.TemporaryDirectory[str] | None]:
+    """The file of a trajectory; frames in memory get one, in a folder that goes with the object."""
+    if isinstance(given, (str, os.PathLike)):
+        return os.fspath(given), None
+    frames = Trajectory(given)
+    if frames.path is not None:
+        return os.fspath(frames.path), None
+    if len(frames) < 2:
+        found = type(given).__name__
+        raise InputError(
+            f"analyse: expected frames, or a file of them, found one {found}: "
+            "pliant.analyse(pliant.sample(structure))"
+        )
+    folder = tempfile.TemporaryDirectory(prefix="pliant-")
+    source = given if isinstance(given, HasFrames) else frames
+    return os.fspath(source.save(Path(folder.name) / "frames.h5md")), folder
 
 
 def _analysed(
@@ -148,9 +174,10 @@ def _analysed(
     output: str | os.PathLike[str] | None,
     dpi: int,
     on_stage: Callable[[str], None],
+    folder: tempfile.TemporaryDirectory[str] | None,
 ) -> AnalysisReport:
     analysis = analyse_trajectory(options, on_stage)
     if output is None:
-        return AnalysisReport(analysis)
+        return AnalysisReport(analysis, folder=folder)
     on_stage("figures and page")
-    return AnalysisReport(analysis, write_report(analysis, Path(output), dpi))
+    return AnalysisReport(analysis, write_report(analysis, Path(output), dpi), folder)

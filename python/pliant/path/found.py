@@ -4,17 +4,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any, cast
 
 import numpy as np
 
-from pliant._core import MolecularModel, PathFrame, PathOptions, TightPlace, tight_places
+from pliant._core import MolecularModel, PathFrame, PathOptions, Structure, TightPlace, tight_places
 from pliant._display import Displayed, Facts
+from pliant._trajectory.frames import FramesInMemory
+from pliant._trajectory.trajectory import HasFrames, Trajectory
 
 __all__ = ["MolecularPath", "PathFrame", "TightPlace"]
 
 
 @dataclass
-class MolecularPath(Displayed):
+class MolecularPath(HasFrames, Displayed):
     """A path, and what it took."""
 
     model: MolecularModel = field(repr=False)  #: of the start, with the contacts that both have
@@ -32,6 +35,16 @@ class MolecularPath(Displayed):
     seconds: float = 0.0
 
     @property
+    def structure(self) -> Structure:
+        """The molecule of the start, prepared."""
+        return self.model.structure
+
+    @property
+    def trajectory(self) -> Trajectory:
+        """The frames, in memory."""
+        return Trajectory._of(FramesInMemory(self.structure, self.positions))
+
+    @property
     def reached(self) -> float:
         """How far the last frame is from the end, Angstrom."""
         return self.frames[-1].to_end
@@ -39,7 +52,7 @@ class MolecularPath(Displayed):
     @property
     def arrived(self) -> bool:
         """Whether the last frame is at the end: CA within 0.5 Angstrom, heavy atoms within 1."""
-        return self.reached <= PathOptions(atoms=self.atoms).arrived_within
+        return self.reached <= PathOptions(atoms=cast("Any", self.atoms)).arrived_within
 
     def facts(self) -> Facts:
         """How far it came, and what is in its way."""

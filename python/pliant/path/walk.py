@@ -6,11 +6,13 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Callable, Sequence
+from typing import Literal
 
 from pliant import _progress
 from pliant._checked import SEED, checked
-from pliant._core import H5mdRecorder, PathEnds, PathOptions, PathWalk, PdbRecorder, Structure, read
-from pliant._output_names import is_pdb_name
+from pliant._core import H5mdRecorder, PathEnds, PathOptions, PathWalk, PdbRecorder, Structure
+from pliant._output_names import check_trajectory_name, is_pdb_name
+from pliant._trajectory.sources import Molecule, structure_of
 from pliant.path.found import MolecularPath
 
 __all__ = ["PathEnds", "PathOptions", "PathWalk", "find", "path"]
@@ -20,10 +22,10 @@ WHOLE = 100  #: of the distance, as bars show it: per cent
 
 @checked(seed=SEED)
 def path(
-    start: Structure | str | os.PathLike[str],
-    end: Structure | str | os.PathLike[str],
+    start: Structure | Molecule,
+    end: Structure | Molecule,
     *,
-    atoms: str = "CA",
+    atoms: Literal["CA", "heavy"] = "CA",
     step: float = 0.2,
     both: bool = False,
     backtrack: int = 0,
@@ -36,8 +38,9 @@ def path(
 
     Parameters
     ----------
-    start, end : Structure or file
-        Of proteins or nucleic acids; matched by chain and number, else by sequence.
+    start, end : Structure, path, Universe, AtomGroup, ...
+        Molecules as `sample` takes them, of proteins or nucleic acids; matched by chain and
+        number, else by sequence.
     atoms : str
         Which are asked to arrive: ``CA`` (P of nucleotides) or ``heavy``, those of matched residues
         that have the same name.
@@ -69,6 +72,8 @@ def path(
     FileError
         The output exists or cannot be written.
     """
+    if output is not None:
+        check_trajectory_name(output, "path")
     names = keep if isinstance(keep, str) else ",".join(keep)
     options = PathOptions(
         atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed, keep=names
@@ -82,8 +87,8 @@ def path(
 
 
 def find(
-    start: Structure | str | os.PathLike[str],
-    end: Structure | str | os.PathLike[str],
+    start: Structure | Molecule,
+    end: Structure | Molecule,
     options: PathOptions,
     output: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
@@ -91,7 +96,7 @@ def find(
 ) -> MolecularPath:
     """As `path`; calls `show` with how much of the distance is gone, out of WHOLE."""
     begun = time.perf_counter()
-    ends = PathEnds(_structure(start), _structure(end), options)
+    ends = PathEnds(structure_of(start), structure_of(end), options)
     recorder = None if output is None else _recorder(ends, options, output, overwrite)
     walk = PathWalk(ends, options)
     try:
@@ -111,10 +116,6 @@ def find(
     )
     found.seconds = time.perf_counter() - begun
     return found
-
-
-def _structure(given: Structure | str | os.PathLike[str]) -> Structure:
-    return given if isinstance(given, Structure) else read(os.fspath(given))
 
 
 def _go(walk: PathWalk, show: Callable[[int], None] | None) -> None:

@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pliant._checked import checked, whole
-from pliant._core import Graph, OptionError, Structure, models, write_topology_pdb
+from pliant._core import Framework, Graph, OptionError, Structure, models, write_topology_pdb
 from pliant._extras import need
-from pliant.adapters import from_mdanalysis
+from pliant._trajectory.sources import structure_of
+from pliant._trajectory.trajectory import HasFrames
 from pliant.play import page
 
 if TYPE_CHECKING:
@@ -41,9 +42,10 @@ def view(source: Any, *, model: str = "auto", height: int = 560) -> PlayView:
 
     Parameters
     ----------
-    source : Structure, Graph, path, RunRecord, or Universe or AtomGroup of MDAnalysis
-        A path is of any file that Pliant reads, or of an H5MD trajectory; a RunRecord shows the
-        trajectory that it was read from. Of a universe the current frame.
+    source : Structure, path, Graph, SampledEnsemble, RunResult, MolecularPath, Trajectory, ...
+        A path is of any file that Pliant reads, or of an H5MD trajectory. Of a Universe of
+        MDAnalysis and of molecules of other packages the current or first frame; a RunRecord shows
+        the trajectory that it was read from.
     model : str
         What holds the molecule: a name in ``models()``, or "auto" for what fits. The model of a
         protein takes waters out and adds polar hydrogens: ``names`` then tells which joints there
@@ -61,7 +63,9 @@ def view(source: Any, *, model: str = "auto", height: int = 560) -> PlayView:
     ImportError
         anywidget is not installed; the message says how to install it.
     OptionError
-        No such model, or not a source that can be shown.
+        No such model.
+    TypeError
+        Not a source that can be shown.
     Error
         The package was built without the page.
     InputError, FileError
@@ -73,7 +77,8 @@ def view(source: Any, *, model: str = "auto", height: int = 560) -> PlayView:
     known = ["auto", *(row.name for row in models())]
     if model not in known:
         raise OptionError(f"model {model!r}: expected one of {', '.join(known)}")
-    bare, given = page.page_file().read_bytes(), given_of(source)
+    given = given_of(source)
+    bare = page.page_file().read_bytes()
     full = page.with_file(
         bare, given.name, given.data, model=model, isInside=True, known=given.known
     )
@@ -85,18 +90,25 @@ def given_of(source: Any) -> Given:
     if isinstance(source, (str, os.PathLike)):
         path = Path(source)
         return Given(path.name, page.read_given(path))
-    if isinstance(source, Structure):
-        return _of_structure(source)
     if isinstance(source, Graph):
         return Given("graph.xml", source.text().encode(), np.array(source.positions))
     if isinstance(getattr(source, "path", None), (str, os.PathLike)):
         return given_of(source.path)
-    if hasattr(source, "atoms") and hasattr(source, "universe"):
-        return _of_structure(from_mdanalysis(source))
-    found = type(source).__name__
-    raise OptionError(
-        f"view: expected a Structure, Graph, path, RunRecord or Universe, found {found}"
-    )
+    if isinstance(source, HasFrames):
+        return _of_frames(source)
+    if isinstance(source, Framework):
+        raise TypeError(
+            "view: a Framework has no positions: pliant.view(structure), or "
+            "pliant.view(pliant.Trajectory(structure, positions))"
+        )
+    return _of_structure(structure_of(source))
+
+
+def _of_frames(source: HasFrames) -> Given:
+    """A trajectory, to be played."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = source.save(Path(folder) / "frames.h5md")
+        return Given(path.name, page.read_given(path), np.array(source[0]))
 
 
 def _of_structure(structure: Structure) -> Given:

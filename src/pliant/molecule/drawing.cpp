@@ -75,10 +75,13 @@ bool is_drawing(const Structure& structure) {
 
 void refuse_drawing(const Structure& structure) {
   if (!is_drawing(structure)) return;
-  const std::string message =
-      "this is a 2-D drawing (all z are 0): make a 3-D structure first, e.g. with RDKit's AddHs "
-      "and EmbedMolecule, or give a 3-D file";
-  throw InputError(structure.source.empty() ? message : at({structure.source}, message));
+  const std::string problem = "this is a 2-D drawing (all z are 0): make it 3-D by RDKit: ";
+  const std::string embed = "AllChem.EmbedMolecule(molecule, randomSeed=1)";
+  const std::string& file = structure.source;
+  if (file.empty()) throw InputError(problem + "molecule = Chem.AddHs(molecule); " + embed);
+  throw InputError(at({file}, problem + "molecule = Chem.AddHs(Chem.MolFromMolFile(\"" + file +
+                                  "\")); " + embed +
+                                  "; Chem.MolToMolFile(molecule, \"three_d.sdf\")"));
 }
 
 }  // namespace pliant

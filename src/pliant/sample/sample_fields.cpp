@@ -53,7 +53,7 @@ const SampleField table[] = {
       .group = group,
       .summary = "threads that share the frames",
       .range = Range::positive,
-      .in_python = "From 1; changes no result.",
+      .in_python = "From 1; changes no result. Default: all cores.",
       .most = 4096,
       .unset_means = "all cores",
       .users = {.page = false, .file = false}},
@@ -116,10 +116,12 @@ const SampleField table[] = {
 std::span<const SampleField> sample_fields() { return table; }
 
 void check(const SampleOptions& options) {
-  if (options.frames < 1 || options.first_frame < 0)
-    throw OptionError("frames = " + std::to_string(options.frames) + " from " +
-                      std::to_string(options.first_frame) +
-                      ": must be from 1, beginning at 0 or later");
+  if (options.frames < 1)
+    throw OptionError("frames = " + std::to_string(options.frames) +
+                      ": must be a whole number from 1, such as frames=200");
+  if (options.first_frame < 0)
+    throw OptionError("first_frame = " + std::to_string(options.first_frame) +
+                      ": must be a whole number from 0");
   for (const SampleField& field : sample_fields())
     check_option(field, field.place(places_of(options)));
 }

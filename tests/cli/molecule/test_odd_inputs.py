@@ -156,8 +156,10 @@ def test_a_drawing_is_no_molecule_to_sample(pliant, tmp_path, code):
     ended = pliant("sample", "drawn.sdf")
     assert ended.code == 1
     assert ended.err.splitlines()[-1] == (
-        "pliant: error: drawn.sdf: this is a 2-D drawing (all z are 0): make a 3-D structure "
-        "first, e.g. with RDKit's AddHs and EmbedMolecule, or give a 3-D file"
+        "pliant: error: drawn.sdf: this is a 2-D drawing (all z are 0): make it 3-D by RDKit: "
+        'molecule = Chem.AddHs(Chem.MolFromMolFile("drawn.sdf")); '
+        "AllChem.EmbedMolecule(molecule, randomSeed=1); "
+        'Chem.MolToMolFile(molecule, "three_d.sdf")'
     )
     assert {path.name for path in tmp_path.iterdir()} == {"drawn.sdf"}
     assert pliant("info", "drawn.sdf").code == 0

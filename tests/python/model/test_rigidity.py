@@ -107,5 +107,5 @@ def test_bars_out_of_range(structure, arguments, message):
 
 
 def test_no_structure():
-    with pytest.raises(TypeError, match="expected a Structure or a MolecularModel"):
-        pliant.rigidity("adk.pdb")
+    with pytest.raises(TypeError, match="molecule = 3: must be a Structure, a path"):
+        pliant.rigidity(3)

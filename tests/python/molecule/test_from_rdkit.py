@@ -13,7 +13,7 @@ chem = pytest.importorskip("rdkit.Chem")
 
 NO_CONFORMER = (
     r"^the molecule has no conformer, so that its atoms have no positions: make one with "
-    r"rdkit\.Chem\.AllChem\.EmbedMolecule\(molecule\)$"
+    r"molecule = Chem\.AddHs\(molecule\); AllChem\.EmbedMolecule\(molecule, randomSeed=1\)$"
 )
 
 

@@ -102,7 +102,7 @@ def test_other_sources(tmp_path):
 
 
 def test_what_cannot_be_shown(built, tmp_path):
-    with pytest.raises(pliant.OptionError, match="Universe, found int"):
+    with pytest.raises(TypeError, match="molecule = 3: must be a Structure, a path"):
         pliant.view(3)
     with pytest.raises(pliant.OptionError, match="model 'steel': expected one of auto, bonds"):
         pliant.view(PEPTIDE, model="steel")

@@ -176,10 +176,13 @@ def test_superposed_as_mdanalysis_does(recorded, tmp_path):
     assert np.abs(found - expected).max() < 1e-4
 
 
-@pytest.mark.parametrize("ending", [".foo", ".h5md", ""])
+@pytest.mark.parametrize("ending", [".foo", ""])
 def test_other_names_are_refused(recorded, tmp_path, ending, capsys):
     assert main([str(recorded), "-o", str(tmp_path / f"out{ending}")]) == 2
-    wanted = "expected a name that ends in .pdb, .ent, .cif, .mmcif, .dcd, .xtc, .trr, .xyz\n"
+    wanted = (
+        "expected a name that ends in .h5md, .h5, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, "
+        ".trr, .xyz\n"
+    )
     assert capsys.readouterr().err == f"pliant convert: error: {tmp_path}/out{ending}: {wanted}"
 
 

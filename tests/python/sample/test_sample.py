@@ -181,11 +181,9 @@ def test_a_model_may_be_given_and_pieces_are_the_same(ensemble):
 
 
 def test_what_makes_no_sense_is_refused(kinase, ensemble):
-    with pytest.raises(TypeError, match="expected a Structure or a MolecularModel"):
-        pliant.sample("protein.pdb")
     with pytest.raises(pliant.OptionError, match="model: goes with a structure, not with a model"):
         pliant.sample(ensemble.model, model="protein")
-    with pytest.raises(pliant.OptionError, match="frames = 0 from 0: must be from 1"):
+    with pytest.raises(pliant.OptionError, match="frames = 0: must be a whole number from 1"):
         pliant.sample(kinase, frames=0)
     with pytest.raises(pliant.OptionError, match='no sampler named "mode"'):
         pliant.sample(kinase, sampler="mode")

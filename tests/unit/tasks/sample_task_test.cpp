@@ -129,7 +129,7 @@ TEST(SampleTask, OptionsAreHeldToTheirRanges) {
   bad.options.threads = 0;
   EXPECT_EQ(refusal(), "threads = 0: must be from 1");
   bad = asked("modes", 0);
-  EXPECT_EQ(refusal(), "frames = 0 from 0: must be from 1, beginning at 0 or later");
+  EXPECT_EQ(refusal(), "frames = 0: must be a whole number from 1, such as frames=200");
   bad = asked("torsion");
   EXPECT_EQ(refusal().rfind("no sampler named \"torsion\" (did you mean \"torsions\"?)", 0), 0U);
 }

@@ -15,6 +15,7 @@ import numpy as np
 from pliant import _core
 from pliant._core import H5mdReader, InputError, Structure
 from pliant._openmm.child import Job, Outcome
+from pliant._output_names import start_beside
 from pliant._superposition import Superposition
 from pliant.check.force_field.jobs import Bench, Progress, deadline_in
 from pliant.check.force_field.minimised import LONG, SHORT, ForceFieldReport, Minimised, handedness
@@ -80,7 +81,7 @@ def start_of(path: str, structure: Structure, named: str | os.PathLike[str] | No
 
     Raises InputError when there is no such file, it has other atoms, or a periodic box has cut it.
     """
-    file = Path(path).with_suffix(".pdb") if named is None else Path(named)
+    file = start_beside(path) if named is None else Path(named)
     if not file.is_file():
         hint = "" if named is not None else "; name the start structure with --start"
         raise InputError(f"{file}: no such file{hint}")

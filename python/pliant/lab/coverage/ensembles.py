@@ -7,6 +7,7 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -45,9 +46,8 @@ def _sampled(sampler: str, amplitude: float) -> Callable[[Subject, int, int], np
     def draw(subject: Subject, frames: int, seed: int) -> np.ndarray:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", pliant.PliantWarning)
-            found = pliant.sample(
-                subject.model, frames, sampler=sampler, amplitude=amplitude, seed=seed
-            )
+            options: dict[str, Any] = {"sampler": sampler, "amplitude": amplitude, "seed": seed}
+            found = pliant.sample(subject.model, frames, **options)
         return np.asarray(found.positions)
 
     return draw

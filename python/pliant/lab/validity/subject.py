@@ -7,6 +7,7 @@ import os
 import time
 import warnings
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -85,9 +86,8 @@ class Subject:
         self, frames: int, sampler: str, amplitude: float = AMPLITUDE, seed: int = 0
     ) -> pliant.SampledEnsemble:
         near = max(frames // 2, 1) if sampler == "reach" else 0
-        return pliant.sample(
-            self.model, frames, sampler=sampler, near_frames=near, amplitude=amplitude, seed=seed
-        )
+        options: dict[str, Any] = {"sampler": sampler, "amplitude": amplitude, "seed": seed}
+        return pliant.sample(self.model, frames, near_frames=near, **options)
 
     def network(self, name: str) -> Network:
         """Modes of a network of the alpha carbons."""

@@ -111,8 +111,7 @@ Structure MolBlock::take() {
       std::all_of(positions.begin(), positions.end(), [](Vec3 p) { return p.z == 0; });
   if (flat && positions.size() > 3)
     remarks_.warn("flat", 0, [] {
-      return "all atoms have z = 0 (a drawing?): bars in one plane do not resist first-order "
-             "motions out of it";
+      return "all atoms have z = 0: if this is a 2-D drawing, make a 3-D structure first";
     });
   return std::move(structure_);
 }
