@@ -5,10 +5,11 @@ FLEXIBLE = "What is flexible"
 TOGETHER = "What moves together"
 COLLECTIVE = "Collective motions"
 OTHER = "What else it could look like"
+POCKETS = "Pockets"
 CHEMISTRY = "Contacts and stereochemistry"
 SHAPES = "Shape"
 EXACT = "Exactness and effort"
 
 #: sections whose figures and tables are as wide as the page
-WIDE_SECTIONS = (OTHER,)
-SECTIONS = (FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, CHEMISTRY, SHAPES, EXACT)
+WIDE_SECTIONS = (OTHER, POCKETS)
+SECTIONS = (FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, POCKETS, CHEMISTRY, SHAPES, EXACT)
