@@ -32,13 +32,13 @@ def pocket_volume_figure(analysis: Analysis) -> Figure:
         if analysis.kind == ENSEMBLE:
             panel.plot(x[~far], pocket.volumes[~far], color=BLUE, label="around the start", **marks)
             if far.any():
-                panel.plot(x[far], pocket.volumes[far], color=ORANGE, label="further", **marks)
+                panel.plot(x[far], pocket.volumes[far], color=ORANGE, label="further from it", **marks)
         else:
             panel.plot(x, pocket.volumes, color=BLUE)
         ends = [pocket.smallest, pocket.largest]
         panel.plot(x[ends], pocket.volumes[ends], lw=0, marker="o", ms=8, mfc="none", mec=INK)
         panel.set(ylabel="Å³", title=pocket.name)
-        panel.set_ylim(bottom=0)
+        panel.set_ylim(0, 1.12 * max(pocket.volumes.max(), start + error))
     axes[-1, 0].set_xlabel(label)
     place = {"loc": "lower right", "bbox_to_anchor": (1, 1.01), "ncols": 3}
     axes[0, 0].legend(columnspacing=1.3, handlelength=1.6, **place)

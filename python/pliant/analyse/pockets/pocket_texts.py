@@ -10,6 +10,7 @@ import numpy as np
 
 from pliant._drawn_by import DRAWN_BY
 from pliant.analyse.pockets.pocket_volumes import Pocket, PocketVolumes
+from pliant.analyse.names import chains_of
 from pliant.analyse.shapes.shape_texts import residues_text
 
 if TYPE_CHECKING:
@@ -27,6 +28,19 @@ def frame_of(analysis: Analysis, place: int) -> int:
     return int(analysis.frames[analysis[PocketVolumes].places[place]])
 
 
+def lined_by(analysis: Analysis, pocket: Pocket) -> str:
+    """Names of the residues, each chain named once."""
+    residues = analysis.universe.residues[pocket.residues]
+    chains = chains_of(residues)
+    names = [f"{one.resname}{one.resid}" for one in residues]
+    if len(set(chains_of(analysis.universe.residues))) == 1:
+        return " ".join(names)
+    return "; ".join(
+        f"{chain}: {' '.join(n for n, own in zip(names, chains, strict=True) if own == chain)}"
+        for chain in dict.fromkeys(chains.tolist())
+    )
+
+
 def pocket_table_rows(analysis: Analysis) -> list[Sequence[str]]:
     """Rows of the page."""
 
@@ -39,7 +53,7 @@ def pocket_table_rows(analysis: Analysis) -> list[Sequence[str]]:
             f"{pocket.at_start:.0f} ± {pocket.error:.0f}",
             at(pocket, pocket.smallest),
             at(pocket, pocket.largest),
-            residues_text(analysis, pocket.residues),
+            lined_by(analysis, pocket),
         )
         for pocket in analysis[PocketVolumes].pockets
     ]

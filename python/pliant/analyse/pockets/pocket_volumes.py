@@ -182,7 +182,7 @@ def _lined(
         if len(lined) < sites + MOST_AT_START and _is_new(around, lining, lined):
             lined[f"pocket {len(lined) - sites + 1}"] = lining
     for k, lining in enumerate(_opened(analysis, around, lined)):
-        lined[f"opens {k + 1}"] = lining
+        lined[f"pocket that opens {k + 1}"] = lining
     return lined
 
 
