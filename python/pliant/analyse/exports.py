@@ -21,6 +21,12 @@ from pliant.analyse.parts import (
     UnitFlexibility,
     Units,
 )
+from pliant.analyse.pockets.pocket_structures import (
+    chimerax_lines,
+    pymol_lines,
+    write_pocket_frames,
+)
+from pliant.analyse.pockets.pocket_volumes import PocketVolumes
 from pliant.analyse.shapes.other_shapes import REMARK_OF_SHAPES, OtherShapes
 from pliant.analysis.frame_store import FrameStore
 from pliant.analysis.superposition import superpose_frames
@@ -32,6 +38,8 @@ if TYPE_CHECKING:
 MODELS = 25
 #: components in modes.nmd
 MODES = 10
+LIGANDS_IN_PYMOL = ("show sticks, ensemble and organic", "show spheres, ensemble and inorganic")
+LIGANDS_IN_CHIMERAX = ("show ligand | ions atoms", "style ligand stick")
 
 
 def b_factors(rmsf: np.ndarray) -> np.ndarray:
@@ -49,6 +57,8 @@ def save_exports(analysis: Analysis, folder: Path) -> list[Path]:
         path = folder / "shapes.pdb"
         write_chosen(analysis, shapes.places, path, REMARK_OF_SHAPES)
         written.append(path)
+    if PocketVolumes in analysis:
+        written += write_pocket_frames(analysis, folder)
     if Components in analysis and hasattr(analysis.fitted, "names"):
         path = folder / "modes.nmd"
         with open(path, "w", encoding="utf-8") as file:
@@ -165,7 +175,7 @@ def pymol_script(analysis: Analysis) -> str:
         "# pymol show.pml: still is blue, flexible is red",  # PyMOL runs what follows a semicolon
         "load ensemble.pdb, ensemble",
         "hide everything",
-        *(["dss ensemble", "show cartoon"] if of_residues else ["show sticks"]),
+        *(["dss ensemble", "show cartoon", *LIGANDS_IN_PYMOL] if of_residues else ["show sticks"]),
         f"spectrum b, blue_white_red, ensemble, 0, {_usual_b(analysis):.1f}",
         "bg_color white",
         "orient",
@@ -179,16 +189,17 @@ def pymol_script(analysis: Analysis) -> str:
             lines.append(f"select domain{k + 1}, ensemble and resi {residues}")
             lines.append(f"color 0x{DOMAIN_COLOURS[k][1:]}, domain{k + 1}")
         lines += ["deselect", "scene F2, store", "scene F1, recall"]
-    return "\n".join([*lines, "set movie_fps, 8", "mplay", ""])
+    return "\n".join([*lines, *pymol_lines(analysis), "set movie_fps, 8", "mplay", ""])
 
 
 def chimerax_script(analysis: Analysis) -> str:
     """The same for ChimeraX."""
+    of_residues = analysis[Units].what == "residue"
     lines = [
         "# ChimeraX: open show.cxc",
         "open ensemble.pdb coordsets true",
         "hide atoms",
-        "show cartoons" if analysis[Units].what == "residue" else "show atoms",
+        *(["show cartoons", *LIGANDS_IN_CHIMERAX] if of_residues else ["show atoms"]),
         f"color byattribute bfactor palette blue:white:red range 0,{_usual_b(analysis):.1f}",
     ]
     if _one_chain(analysis):
@@ -197,5 +208,5 @@ def chimerax_script(analysis: Analysis) -> str:
             lines.append(f"name domain{k + 1} :{residues}")
             lines.append(f"# color domain{k + 1} {DOMAIN_COLOURS[k]}")
     return "\n".join(
-        [*lines, "set bgColor white", "view", "coordset #1 1,-1 pauseFrames 4 loop 100", ""]
+        [*lines, *chimerax_lines(analysis), "set bgColor white", "view", "coordset #1 1,-1 pauseFrames 4 loop 100", ""]
     )

@@ -12,6 +12,7 @@ from MDAnalysis.exceptions import NoDataError
 from pliant._core import OptionError
 from pliant.analyse import biology, motion
 from pliant.analyse.opened import opened
+from pliant.analyse.pockets.pocket_volumes import pocket_volumes
 from pliant.analyse.reference import reference_of
 from pliant.analyse.runner import Runner
 from pliant.analyse.shapes.other_shapes import other_shapes
@@ -62,4 +63,5 @@ STAGES: dict[str, Callable[[Analysis, Runner], Iterable[Part]]] = {
     "contacts": biology.contacts,
     "distances": biology.distances,
     "shapes": other_shapes,
+    "pockets": pocket_volumes,
 }

@@ -23,6 +23,8 @@ from pliant.analyse.parts import (
     Torsions,
     UnitFlexibility,
 )
+from pliant.analyse.pockets.pocket_texts import pockets_json
+from pliant.analyse.pockets.pocket_volumes import PocketVolumes
 from pliant.analyse.shapes.other_shapes import OtherShapes
 from pliant.analyse.shapes.shape_texts import shapes_json
 from pliant.analyse.verdicts import shape_rows, verdicts, whole
@@ -149,4 +151,5 @@ VALUES: dict[type[Part], Callable[[Analysis], Values]] = {
     Torsions: lambda analysis: {"rotatable_bonds": len(analysis[Torsions].measured.torsions)},
     Components: _components,
     OtherShapes: shapes_json,
+    PocketVolumes: pockets_json,
 }

@@ -39,6 +39,8 @@ from pliant.analyse.parts import (
     UnitFlexibility,
     Units,
 )
+from pliant.analyse.pockets.pocket_texts import volume_columns
+from pliant.analyse.pockets.pocket_volumes import PocketVolumes
 from pliant.analyse.shapes.other_shapes import OtherShapes
 from pliant.analyse.shapes.shape_texts import frame_shapes, pocket_columns, shapes_columns
 
@@ -77,6 +79,7 @@ def save_tables(analysis: Analysis, folder: Path) -> list[Path]:
         "stereochemistry": (Shapes, shape_columns),
         "shapes": (OtherShapes, shapes_columns),
         "shape_pockets": (OtherShapes, pocket_columns),
+        "pockets": (PocketVolumes, volume_columns),
     }
     written = []
     for name, (needs, columns_of) in tables.items():

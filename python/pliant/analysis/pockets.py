@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import distance_transform_edt, label
-from scipy.spatial import cKDTree
+from scipy.spatial import ConvexHull, cKDTree
 
 #: radius of water, of the large probe, and how deep below the latter a pocket begins, Angstrom
 SMALL_PROBE = 1.4
@@ -16,6 +16,8 @@ LEAST_DEPTH = 2.4
 SPACING = 1.0  #: of the grid, Angstrom
 #: connected room smaller than this is no pocket, Angstrom^3
 LEAST_VOLUME = 30.0
+#: atoms whose surface may be the one nearest to a point: their radii differ by 0.3 Angstrom at most
+NEAREST = 4
 
 #: Angstrom (A. Bondi, J. Phys. Chem. 68 (1964) 441); others: that of carbon
 RADII = {"C": 1.70, "N": 1.55, "O": 1.52, "S": 1.80, "P": 1.80}
@@ -91,3 +93,35 @@ def _covered(centres: np.ndarray, radius: np.ndarray, step: float) -> np.ndarray
     """
     apart, nearest = distance_transform_edt(~centres, return_indices=True)
     return np.asarray(apart * step <= radius[tuple(nearest)])
+
+
+def room_among(
+    positions: np.ndarray,
+    radii: np.ndarray,
+    lining: np.ndarray,
+    spacing: float = SPACING,
+    offset: float = 0.0,
+) -> float:
+    """Room for SMALL_PROBE within the convex hull of lining atoms (indices), Angstrom^3.
+
+    positions (n, 3), radii (n,): all atoms, Angstrom. The grid lies `offset` steps further along
+    x, y and z. Unlike that of `find_pockets` this room does not end where a large probe comes in:
+    it grows as a pocket opens, up to planes across its mouth. (Room in a region that is given:
+    J. Durrant et al., J. Chem. Theory Comput. 10 (2014) 5047.)
+    """
+    hull = ConvexHull(positions[lining])
+    planes = hull.equations.astype(np.float32)
+    low, high = hull.min_bound - SMALL_PROBE, hull.max_bound + SMALL_PROBE
+    axes = (np.arange(a + (offset - 1) * spacing, b, spacing) for a, b in zip(low, high, strict=True))
+    points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    outside = (points.astype(np.float32) @ planes[:, :3].T + planes[:, 3]).max(axis=1)
+    near = outside <= SMALL_PROBE  # there the centre of a probe may be that reaches inside
+    points, inside = points[near], outside[near] <= 0
+    apart, atom = cKDTree(positions).query(points, k=min(NEAREST, len(positions)))
+    free = (apart - radii[atom]).reshape(len(points), -1).min(axis=1)
+    centres = free >= SMALL_PROBE
+    if not centres.any():
+        return 0.0
+    # As in _covered: the whole sphere about the nearest centre, which makes a coarse grid do.
+    apart, nearest = cKDTree(points[centres]).query(points[inside])
+    return float(np.count_nonzero(apart <= free[centres][nearest]) * spacing**3)

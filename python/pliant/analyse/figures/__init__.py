@@ -18,6 +18,7 @@ from pliant.analyse.page.sections import (
     EXACT,
     FLEXIBLE,
     OTHER,
+    POCKETS,
     SHAPES,
     TOGETHER,
 )
@@ -36,6 +37,8 @@ from pliant.analyse.parts import (
     Units,
     UnitsInComponents,
 )
+from pliant.analyse.pockets.pocket_figure import pocket_volume_figure
+from pliant.analyse.pockets.pocket_volumes import PocketVolumes
 from pliant.analyse.shapes.other_shapes import OtherShapes
 from pliant.analyse.shapes.shape_pictures import shape_pictures
 
@@ -106,6 +109,13 @@ FIGURES = (
         "on the start, in grey. Other colours are pieces that turned against it, dots are hinge "
         "residues; seen along the axis of the largest turn. The bar is 10 Å.",
         suits=lambda analysis: bool(analysis[OtherShapes].shapes),
+    ),
+    FigureKind(
+        "pockets", POCKETS, pocket_volume_figure, PocketVolumes,
+        "Room in each pocket, frame by frame. The dashed line is the start, its band the error of "
+        "the grid; circles mark the smallest and the largest frame, which are written as PDB "
+        "files. Ligands are taken out before the room is measured.",
+        suits=lambda analysis: len(analysis[PocketVolumes].places) > 1,
     ),
     FigureKind(
         "contacts", CHEMISTRY, flexibility_figures.contacts, ContactFrequencies,

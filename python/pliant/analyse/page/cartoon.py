@@ -20,7 +20,9 @@ MOST_AT_ONCE = 500
 
 
 def secondary_structure(atoms: AtomGroup) -> str:
-    """One letter an atom, h s or c, for the cartoon of a protein; empty if there is no protein.
+    """One letter an atom for the cartoon of a protein: h, s or c, and l where it has none (ligands).
+
+    Empty if there is no protein.
 
     Of more than MOST_AT_ONCE residues each chain is looked at by itself, and one that is still
     longer in stretches of so many: strands that only another chain or stretch pairs are missed.
@@ -30,7 +32,8 @@ def secondary_structure(atoms: AtomGroup) -> str:
     protein = atoms.select_atoms("protein")
     if len(protein.select_atoms("name CA")) < 4:
         return ""
-    letters = np.full(len(atoms.universe.residues), "c")
+    letters = np.full(len(atoms.universe.residues), "l")
+    letters[atoms.select_atoms("protein or nucleic").residues.ix] = "c"
     for part in _parts(protein):
         with contextlib.suppress(Exception), warnings.catch_warnings():
             warnings.simplefilter("ignore")  # needs MDAnalysis 2.8 and a whole backbone

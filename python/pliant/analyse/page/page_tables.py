@@ -21,6 +21,7 @@ from pliant.analyse.page.sections import (
     EXACT,
     FLEXIBLE,
     OTHER,
+    POCKETS,
     SHAPES,
     TOGETHER,
 )
@@ -39,6 +40,8 @@ from pliant.analyse.parts import (
     Units,
     UnitsInComponents,
 )
+from pliant.analyse.pockets.pocket_texts import CAPTION, HEADERS, pocket_table_rows
+from pliant.analyse.pockets.pocket_volumes import PocketVolumes
 from pliant.analyse.shapes.other_shapes import OtherShapes
 from pliant.analyse.shapes.shape_texts import NO_POPULATION, page_rows, pocket_rows
 from pliant.analyse.verdicts import shape_rows
@@ -132,6 +135,8 @@ def tables(analysis: Analysis) -> list[PageTable]:
         made.append(_ligand_table(analysis))
     if OtherShapes in analysis:
         made += _other_tables(analysis)
+    if PocketVolumes in analysis:
+        made.append(PageTable(POCKETS, CAPTION, HEADERS, pocket_table_rows(analysis)))
     return [table for table in made if table.rows]
 
 

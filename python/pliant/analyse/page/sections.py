@@ -5,6 +5,7 @@ FLEXIBLE = "What is flexible"
 TOGETHER = "What moves together"
 COLLECTIVE = "Collective motions"
 OTHER = "What else it could look like"
+POCKETS = "Pockets"
 CHEMISTRY = "Contacts and stereochemistry"
 ON_THE_WAY = "How it gets there"
 SHAPES = "Shape"
@@ -12,8 +13,8 @@ STARTS = "Starting molecular dynamics"
 EXACT = "Exactness and effort"
 
 #: sections whose figures and tables are as wide as the page
-WIDE_SECTIONS = (OTHER,)
+WIDE_SECTIONS = (OTHER, POCKETS)
 SECTIONS = (
-    *(FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, ON_THE_WAY, CHEMISTRY, STARTS),
+    *(FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, POCKETS, ON_THE_WAY, CHEMISTRY, STARTS),
     *(SHAPES, EXACT),
 )

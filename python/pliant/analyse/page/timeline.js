@@ -4,7 +4,7 @@
 window.pliantTimeline = (function () {
   const canvas = document.getElementById("chart");
   const margin = { left: 58, right: 10, top: 10, bottom: 8 };
-  const ink = "#66717b", faint = "#e2e6ea", line = "#0072b2", red = "#d55e00", dark = "#222a31";
+  let ink, faint, line, red, dark;
   let scene = null;
 
   function size() {
@@ -82,6 +82,9 @@ window.pliantTimeline = (function () {
   function draw(state) {
     const series = scene && scene.series[state.series];
     if (!series) return;
+    const style = getComputedStyle(document.documentElement);
+    [ink, faint, line, red, dark] = ["soft", "line", "blue", "red", "ink"].map((name) =>
+      style.getPropertyValue(`--${name}`).trim());
     const [context, width, height] = size();
     const [measure, low, high] = range(series);
     const up = (value) => {

@@ -4,6 +4,7 @@
 function startViewer() {
   const scene = JSON.parse(document.getElementById("scene").textContent);
   const page = document.documentElement;
+  const colour = (name) => getComputedStyle(page).getPropertyValue(name).trim();
   const count = scene.frames.length;
   const atomCount = scene.atoms.names.length;
   const barCount = scene.bars.length / 2;
@@ -54,7 +55,7 @@ function startViewer() {
     const { names, elements, residues, numbers, chains, cartoon } = scene.atoms;
     const atoms = names.map((name, k) => ({
       serial: k, index: k, atom: name, elem: elements[k], resn: residues[k], resi: numbers[k],
-      chain: chains[k], hetflag: false, ss: cartoon[k] || "c", bonds: [], bondOrder: [],
+      chain: chains[k], hetflag: cartoon[k] === "l", ss: cartoon[k] || "c", bonds: [], bondOrder: [],
       x: 0, y: 0, z: 0,
     }));
     for (let k = 0; k < pairs.length; k += 2) {
@@ -68,7 +69,7 @@ function startViewer() {
   }
 
   const viewer = $3Dmol.createViewer(document.getElementById("view"), {
-    backgroundColor: "white", antialias: true, cartoonQuality: atomCount > 4000 ? 4 : 7,
+    backgroundColor: colour("--view"), antialias: true, cartoonQuality: atomCount > 4000 ? 4 : 7,
     disableFog: atomCount < 200,
   });
   const bonded = viewer.addModel();
@@ -129,6 +130,7 @@ function startViewer() {
     const radius = large ? 0.16 : 0.12;
     const ball = { colorfunc: (atom) => colours[atom.serial], radius: large ? 0.16 : 0.26 };
     shown.setStyle({}, bars ? { stick: { radius, color: hex(resting) }, sphere: ball } : styleOf(state.style));
+    if (!bars && state.style === "Cartoon") shown.setStyle({ hetflag: true }, styleOf("Ball and stick"));
     viewer.render();
     page.dataset.frame = String(state.frame);
   }
@@ -253,6 +255,10 @@ function startViewer() {
       event.preventDefault();
     });
     window.pliantTimeline.onSeek((frame) => { setPlaying(false); show(frame); });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      viewer.setBackgroundColor(colour("--view"));
+      window.pliantTimeline.draw(state);
+    });
     window.addEventListener("resize", () => { viewer.resize(); window.pliantTimeline.draw(state); });
   }
 

@@ -14,6 +14,8 @@ from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.superposition import Superposition
 
 if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+
     from pliant.analyse.analysis import Analysis
 
 #: a pocket counts as opened where it has this much more room than at the start, Angstrom^3 ...
@@ -44,14 +46,26 @@ class PocketChange:
         return self.volume - self.at_start
 
 
+def why_no_pockets(atoms: AtomGroup) -> str:
+    """Why pockets of these atoms are not looked for; "" if they are."""
+    if not hasattr(atoms, "elements"):
+        return "the file does not say which elements the atoms are"
+    heavy = atoms[~is_hydrogen(atoms)].select_atoms("protein or nucleic")
+    if len(heavy) > MOST_ATOMS:
+        return f"there are more than {MOST_ATOMS} atoms besides hydrogens"
+    if len(heavy) < LEAST_ATOMS * len(heavy.residues):
+        return "side chains are missing"
+    return ""
+
+
 class PocketFinder:
     """Measures pockets of frames, each superposed on the start by its trace."""
 
     def __init__(self, analysis: Analysis, trace: np.ndarray) -> None:
         self._analysis, self._trace = analysis, trace
         atoms = analysis.atoms
-        self.why_not = "the file does not say which elements the atoms are"
-        if not hasattr(atoms, "elements"):
+        self.why_not = why_no_pockets(atoms)
+        if self.why_not:
             return
         atoms = atoms[~is_hydrogen(atoms)].select_atoms("protein or nucleic")
         self._atoms, self._residues = atoms.ix, atoms.resindices
@@ -59,15 +73,7 @@ class PocketFinder:
         start = analysis[ReferenceStructure].positions
         self._fit = Superposition(start[trace], np.ones(len(trace)))
         self._around: list[np.ndarray] = []
-        self.why_not = self._reason()
         self._at_start: np.ndarray | None = None
-
-    def _reason(self) -> str:
-        if len(self._atoms) > MOST_ATOMS:
-            return f"there are more than {MOST_ATOMS} atoms besides hydrogens"
-        if len(self._atoms) < LEAST_ATOMS * len(set(self._residues)):
-            return "side chains are missing"
-        return ""
 
     def look_at(self, places: np.ndarray) -> None:
         """Measures the start, and frames around it."""
