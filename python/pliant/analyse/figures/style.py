@@ -27,8 +27,8 @@ GREY = "#8A929B"
 INK = "#2B333B"
 FAINT = "#E3E7EB"
 
-#: of domains, largest first
-DOMAIN_COLOURS = (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILION)
+#: of domains, largest first; more than six, up to the twenty there can be, share them
+DOMAIN_COLOURS = 4 * (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILION)
 
 #: perceptually even and readable without colour (J. Nunez et al., PLoS ONE 13 (2018) e0199239)
 MAP = "cividis"

@@ -14,9 +14,10 @@ METHODS = (
      "again, and so on: first by how little distances fluctuate (average linkage), then each "
      "residue goes with the part whose motion it follows. A part has 20 residues or more, and a "
      "split explains 4 % of all motion or more. This is done for 50 resamples of the frames "
-     "(blocks drawn with replacement). A domain is what is together in 90 % of the resamples; two "
-     "domains are apart in 90 %; what is neither is undecided. A hinge is where a chain goes from "
-     "one domain to the next, with the share of resamples in which the residue is there."),
+     "(blocks drawn with replacement). A domain is what is together in 90 % of the resamples, and "
+     "a part by itself in 80 %; two domains are apart in 90 %; what is neither is undecided. A "
+     "hinge is where a chain goes from one domain to the next, with the share of resamples in "
+     "which the residue is there."),
     ("Other shapes", "Frames drawn to reach further than those around the start, if their RMSD "
      "from it (CA or P, superposed) is above 3 Å and above that of every frame around it. They are "
      "put together (average linkage) while they are less apart than √2 of that limit, and further "

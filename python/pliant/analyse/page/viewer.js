@@ -15,7 +15,8 @@ function startViewer() {
     F: "#63b96a", Cl: "#3fa34d", Br: "#a0522d", I: "#7b4fa3", Se: "#d9992b",
   };
   const ramp = [[47, 103, 153], [127, 165, 196], [222, 226, 228], [238, 180, 110], [213, 94, 0]];
-  const domainColours = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"];
+  const six = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"];
+  const domainColours = [...six, ...six, ...six, ...six]; // there can be twenty domains
   // Of what has kinds, not amounts: a colour a kind, and grey for the rest.
   const palettes = { domain: domainColours, ...scene.palettes };
   const loose = "#c3cad1";

@@ -30,6 +30,8 @@ BLOCKS = 20
 MOST_FRAMES = 500
 #: a domain is found in a resample where one of that resample shares so much of both with it
 SAME = 0.75
+#: a domain is found in this share of the resamples; else it is the core of others that change
+LEAST_FOUND = 0.8
 #: between two domains that a hinge joins there are at most so many sites
 MOST_BETWEEN = 20
 
@@ -74,8 +76,8 @@ def find_domains(
     blocks: arrays of frame numbers that are independent of each other, by default BLOCKS equal
     ones. RESAMPLES times as many blocks as there are, drawn with replacement, are split into rigid
     bodies (`rigid_bodies`); always the same draws. A domain is a set of sites of which each two are
-    in one body in TOGETHER of the resamples; two domains are in one in at most APART of them: what
-    is neither is `undecided`, and no domain.
+    in one body in TOGETHER of the resamples, and which is a body in LEAST_FOUND of them; two
+    domains are in one body in at most APART. What is neither is `undecided`, and no domain.
     """
     if blocks is None:
         blocks = np.array_split(np.arange(len(positions)), min(BLOCKS, len(positions)))
@@ -122,10 +124,12 @@ def _agreed(
     kept: list[np.ndarray] = []
     undecided = []
     for group in groups:
-        if all(together[np.ix_(group, one)].mean() <= APART for one in kept):
+        share = _found(bodies, np.isin(np.arange(sites), group))
+        is_apart = all(together[np.ix_(group, one)].mean() <= APART for one in kept)
+        if is_apart and share >= LEAST_FOUND:
             kept.append(group)
         else:
-            undecided.append((group, _found(bodies, np.isin(np.arange(sites), group))))
+            undecided.append((group, share))
     domain = np.full(sites, LOOSE)
     if len(kept) > 1 or (len(kept) == 1 and _is_whole(bodies)):
         for k, group in enumerate(kept):

@@ -77,22 +77,20 @@ class Frames:
     """
 
     def __init__(self, positions: np.ndarray, chains: np.ndarray, blocks: list[np.ndarray]) -> None:
-        mean = positions.mean(axis=0)
-        self._mean = mean
-        self._flat = (positions - mean).reshape(len(positions), -1).astype(np.float32)
-        self._chains = chains
-        self._block = np.full(len(positions), -1)
-        at_mean = pdist(mean)
+        sizes = [len(block) for block in blocks]
+        chosen = positions[np.concatenate(blocks)]
+        self._mean = chosen.mean(axis=0)
+        self._flat = (chosen - self._mean).reshape(len(chosen), -1).astype(np.float32)
+        self._chains, self._sizes = chains, np.array(sizes)
+        self._block = np.repeat(np.arange(len(blocks)), sizes)
+        at_mean = pdist(self._mean)
         first = np.zeros((len(blocks), len(at_mean)), dtype=np.float32)
         second = np.zeros_like(first)
-        for k, block in enumerate(blocks):
-            self._block[block] = k
-            for frame in block:
-                change = pdist(positions[frame]) - at_mean
-                first[k] += change
-                second[k] += change * change
+        for k, frame in zip(self._block, chosen, strict=True):
+            change = pdist(frame) - at_mean
+            first[k] += change
+            second[k] += change * change
         self._sums = first, second
-        self._sizes = np.array([len(block) for block in blocks])
 
     def sample(self, times: np.ndarray) -> Sample:
         """Each block as many times as `times` (B,) says."""
