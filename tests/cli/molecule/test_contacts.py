@@ -185,7 +185,7 @@ CATION_PI = ("--more-contacts", "cation_pi")
 
 def test_kinds_that_are_not_usual_are_found_where_asked(pliant, tmp_path):
     usual = pliant("contacts", TRYPSIN_INHIBITOR, "--csv").out
-    more = pliant("contacts", TRYPSIN_INHIBITOR, "--csv", *CATION_PI)
+    more = pliant("contacts", TRYPSIN_INHIBITOR, "--csv", "--verbose", *CATION_PI)
     assert ", metal 0, cation_pi 1\n" in more.err
     (row,) = rows_of(more.out)[len(rows_of(usual)) :]
     assert more.out.startswith(usual)
