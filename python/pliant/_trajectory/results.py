@@ -39,6 +39,22 @@ class SampledEnsemble(HasFrames, _core.SampledFrames):
         return Trajectory._of(FramesInMemory(self.structure, self.positions))
 
 
+class SampleResult(HasFrames, _core.SampleSummary):
+    """What `continue_sample` added, and all frames of the file, as of a `Trajectory`."""
+
+    output: Path  #: the H5MD file
+
+    @property
+    def trajectory(self) -> Trajectory:
+        """The frames, read when they are asked for."""
+        return Trajectory._of(FramesOfH5md(self.output))
+
+    @property
+    def positions(self) -> np.ndarray:
+        """(F, N, 3) float64, Angstrom."""
+        return self.trajectory.positions
+
+
 class RunResult(HasFrames, _core.RunSummary):
     """What a run did, and its frames: in the H5MD file that it wrote, else in memory.
 

@@ -46,6 +46,11 @@ def went_on(folder):
     return pliant.continue_run(folder / "out.h5md", FRAMES - 1)
 
 
+def sampled_on(folder):
+    pliant.sample(PEPTIDE, frames=2, seed=1, output=folder / "out.h5md")
+    return pliant.continue_sample(folder / "out.h5md", FRAMES)
+
+
 def part_of_a_file(folder):
     ran_to_a_file(folder)
     return pliant.Trajectory(folder / "out.h5md")[:]
@@ -57,7 +62,7 @@ def found(folder):
 
 
 RESULTS = (
-    sampled, sampled_to_a_file, file_of_a_sample, ran, ran_to_a_file, ran_to_models, went_on,
+    sampled, sampled_to_a_file, file_of_a_sample, ran, ran_to_a_file, ran_to_models, went_on, sampled_on,
     part_of_a_file, found,
 )  # fmt: skip
 
