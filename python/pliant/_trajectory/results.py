@@ -28,6 +28,9 @@ class SampledEnsemble(HasFrames, _core.SampledFrames):
 
     output: Path | None = None  #: the H5MD file, if one was written
 
+    def __repr__(self) -> str:
+        return f"<pliant.SampledEnsemble: {len(self)} frames of {len(self.structure)} atoms>"
+
     @property
     def structure(self) -> Structure:
         """The molecule that was sampled: prepared, which may have added or left out atoms."""
@@ -71,6 +74,9 @@ class RunResult(HasFrames, _core.RunSummary):
         super().__init__(summary)
         self._structure = structure
         self.output = None if output is None else Path(output)  #: the file, if one was written
+
+    def __bool__(self) -> bool:
+        return True  # also where no frames were kept
 
     @cached_property
     def trajectory(self) -> Trajectory:
