@@ -75,8 +75,7 @@ std::int64_t all_cores() { return std::max(1U, std::thread::hardware_concurrency
 template <class Made>
 nb::object in_python(const char* name, Made made,
                      const std::optional<std::filesystem::path>& path) {
-  nb::object object =
-      nb::inst_alloc(nb::module_::import_("pliant._trajectory.results").attr(name));
+  nb::object object = nb::inst_alloc(nb::module_::import_("pliant._trajectory.results").attr(name));
   new (nb::inst_ptr<Made>(object)) Made(std::move(made));
   nb::inst_mark_ready(object);
   if (path) object.attr("output") = *path;
@@ -120,8 +119,7 @@ nb::object sample_from(const nb::handle& structure, const nb::object& frames,
 }
 
 nb::object continue_from(const std::filesystem::path& path, std::optional<std::int64_t> frames,
-                            std::optional<std::int64_t> threads, double flush_seconds,
-                            bool durable) {
+                         std::optional<std::int64_t> threads, double flush_seconds, bool durable) {
   const Log log = python_log();
   H5mdOptions recording{.flush_seconds = flush_seconds, .durable = durable};
   recording.log = unraisable_python_log();
