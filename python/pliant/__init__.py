@@ -97,7 +97,7 @@ from pliant._laboratory import leave_out
 from pliant._late import import_after
 from pliant._refusals import give_signatures
 from pliant._run import continue_run, run
-from pliant._trajectory.results import RunResult, SampledEnsemble
+from pliant._trajectory.results import RunResult, SampledEnsemble, SampleResult
 from pliant._trajectory.trajectory import Trajectory
 from pliant.adapters import (
     constraints_from_openmm,
@@ -176,6 +176,7 @@ __all__ = [
     "RunOptions",
     "RunResult",
     "RunSummary",
+    "SampleResult",
     "SampleSummary",
     "SampledEnsemble",
     "SamplerEntry",
@@ -265,7 +266,9 @@ if not hasattr(_core, "generate"):
     leave_out(globals())
 
 # Messages and help call things by the name under which users find them.
-SampledEnsemble.__module__ = RunResult.__module__ = Trajectory.__module__ = "pliant"
+for _type in (RunResult, SampledEnsemble, SampleResult, Trajectory):
+    _type.__module__ = "pliant"
+del _type
 for _name in __all__:
     if isinstance(getattr(_core, _name, None), type):
         getattr(_core, _name).__module__ = "pliant"

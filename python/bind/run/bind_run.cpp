@@ -263,10 +263,11 @@ void bind_run(nb::module_& module) {
   bind_options(module);
   bind_force_recorder(module);
   bind_run_summary(module);
-  module.def("run_steps", &run_steps, "framework"_a, "state"_a, "options"_a, "observers"_a,
-             "forces"_a = nb::none(), "most_kept"_a = 0,
-             "Steps ``state`` on and shows frames to observers; the function ``run`` says more. Frames\n"
-             "that take at most ``most_kept`` bytes in all are kept in memory.");
+  module.def(
+      "run_steps", &run_steps, "framework"_a, "state"_a, "options"_a, "observers"_a,
+      "forces"_a = nb::none(), "most_kept"_a = 0,
+      "Steps ``state`` on and shows frames to observers; the function ``run`` says more. Frames\n"
+      "that take at most ``most_kept`` bytes in all are kept in memory.");
 }
 
 }  // namespace pliant::python

@@ -74,12 +74,12 @@ SampleAsked asked_of(SampledEnsemble& out, const std::optional<AskedAmplitude>& 
 
 std::int64_t all_cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-/// As the class that has methods of frames besides: that of pliant, which is written in Python.
-nb::object in_python(SampledEnsemble&& made, const std::optional<std::filesystem::path>& path) {
-  const nb::object type =
-      nb::module_::import_("pliant._trajectory.results").attr("SampledEnsemble");
-  nb::object object = nb::inst_alloc(type);
-  new (nb::inst_ptr<SampledEnsemble>(object)) SampledEnsemble(std::move(made));
+/// As a class of pliant that has methods of frames besides, and is written in Python.
+template <class Made>
+nb::object in_python(const char* name, Made made,
+                     const std::optional<std::filesystem::path>& path) {
+  nb::object object = nb::inst_alloc(nb::module_::import_("pliant._trajectory.results").attr(name));
+  new (nb::inst_ptr<Made>(object)) Made(std::move(made));
   nb::inst_mark_ready(object);
   if (path) object.attr("output") = *path;
   return object;
@@ -119,12 +119,11 @@ nb::object sample_from(const nb::handle& structure, const nb::object& frames,
   if (watch.raised()) std::rethrow_exception(watch.raised());
   warn_of_amplitude(out.summary, python_log());
   if (task.conformers()) out.model.framework = *task.conformers();
-  return in_python(std::move(out), path);
+  return in_python("SampledEnsemble", std::move(out), path);
 }
 
-SampleSummary continue_from(const std::filesystem::path& path, std::optional<std::int64_t> frames,
-                            std::optional<std::int64_t> threads, double flush_seconds,
-                            bool durable) {
+nb::object continue_from(const std::filesystem::path& path, std::optional<std::int64_t> frames,
+                         std::optional<std::int64_t> threads, double flush_seconds, bool durable) {
   const Log log = python_log();
   H5mdOptions recording{.flush_seconds = flush_seconds, .durable = durable};
   recording.log = unraisable_python_log();
@@ -145,7 +144,7 @@ SampleSummary continue_from(const std::filesystem::path& path, std::optional<std
       summary = add_frames(from, options, recording, [&](const Frame&) { return watch(); });
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
-  return summary;
+  return in_python("SampleResult", std::move(summary), path);
 }
 
 constexpr const char* doc_of_sample =
@@ -216,8 +215,9 @@ flush_seconds, durable
 
 Returns
 -------
-SampleSummary
-    Of the frames that were added. Figures on atoms look at the last frame from before, too.
+SampleResult
+    A SampleSummary of the frames that were added, whose figures on atoms look at the last frame from
+    before, too. It has all frames of the file.
 
 Raises
 ------
@@ -279,7 +279,11 @@ void bind_sample(nb::module_& module) {
   bind_sampled_ensemble(module);
   bind_sample_function(module);
   module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), nb::kw_only(),
-             "threads"_a = nb::none(), "flush_seconds"_a = 1.0, "durable"_a = false, continue_doc);
+             "threads"_a = nb::none(), "flush_seconds"_a = 1.0, "durable"_a = false,
+             nb::sig("def continue_sample(path: str | os.PathLike[str], frames: int | None = None, "
+                     "*, threads: int | None = None, flush_seconds: float = 1.0, "
+                     "durable: bool = False) -> SampleResult"),
+             continue_doc);
 }
 
 }  // namespace pliant::python

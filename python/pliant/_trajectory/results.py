@@ -28,6 +28,9 @@ class SampledEnsemble(HasFrames, _core.SampledFrames):
 
     output: Path | None = None  #: the H5MD file, if one was written
 
+    def __repr__(self) -> str:
+        return f"<pliant.SampledEnsemble: {len(self)} frames of {len(self.structure)} atoms>"
+
     @property
     def structure(self) -> Structure:
         """The molecule that was sampled: prepared, which may have added or left out atoms."""
@@ -37,6 +40,22 @@ class SampledEnsemble(HasFrames, _core.SampledFrames):
     def trajectory(self) -> Trajectory:
         """The frames, in memory."""
         return Trajectory._of(FramesInMemory(self.structure, self.positions))
+
+
+class SampleResult(HasFrames, _core.SampleSummary):
+    """What `continue_sample` added, and all frames of the file, as of a `Trajectory`."""
+
+    output: Path  #: the H5MD file
+
+    @property
+    def trajectory(self) -> Trajectory:
+        """The frames, read when they are asked for."""
+        return Trajectory._of(FramesOfH5md(self.output))
+
+    @property
+    def positions(self) -> np.ndarray:
+        """(F, N, 3) float64, Angstrom."""
+        return self.trajectory.positions
 
 
 class RunResult(HasFrames, _core.RunSummary):
@@ -55,6 +74,9 @@ class RunResult(HasFrames, _core.RunSummary):
         super().__init__(summary)
         self._structure = structure
         self.output = None if output is None else Path(output)  #: the file, if one was written
+
+    def __bool__(self) -> bool:
+        return True  # also where no frames were kept
 
     @cached_property
     def trajectory(self) -> Trajectory:

@@ -13,6 +13,9 @@ import numpy as np
 from pliant._checked import checked, whole
 from pliant._core import InputError, OptionError
 from pliant._display import Displayed, Facts
+from pliant._trajectory.files import file_of
+from pliant._trajectory.sources import Molecule
+from pliant._trajectory.trajectory import HasFrames
 from pliant.analyse.analysis import AnalysisOptions
 from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.multi_model import write_chosen
@@ -59,7 +62,7 @@ class Representatives(Displayed):
 
 @checked(count=whole(1))
 def representatives(
-    path: str | os.PathLike[str],
+    path: HasFrames | Molecule,
     count: int | None = None,
     output: str | os.PathLike[str] | None = None,
     *,
@@ -79,8 +82,9 @@ def representatives(
 
     Parameters
     ----------
-    path : str or path
-        H5MD file, the folder of an ensemble, or any trajectory that MDAnalysis reads.
+    path : str or path, SampledEnsemble, RunResult, MolecularPath, Trajectory, Universe, ...
+        H5MD file, the folder of an ensemble, or any trajectory that MDAnalysis reads; or what has
+        frames.
     count : int, optional
         Frames to choose.
     output : str or path, optional
@@ -110,10 +114,11 @@ def representatives(
         raise OptionError("--superpose: goes with -k, not with --shapes")
     if output is not None and Path(output).exists() and not overwrite:
         raise InputError(f"{os.fspath(output)}: exists; --overwrite replaces it")
-    if is_ensemble(path):
-        path = folder_of(Path(path)) / PLAN
+    file, _folder = file_of(path, "representatives")
+    if is_ensemble(file):
+        file = str(folder_of(Path(file)) / PLAN)
     named = None if topology is None else os.fspath(topology)
-    analysis = opened(AnalysisOptions(os.fspath(path), named, select, superpose))
+    analysis = opened(AnalysisOptions(file, named, select, superpose))
     analysis = analysis.having(reference_of(analysis)) if shapes else analysis
     found, chosen = _one_per_shape(analysis) if count is None else _medoids(analysis, count)
     if output is not None:

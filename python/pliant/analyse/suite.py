@@ -13,11 +13,11 @@ from typing import Any
 import MDAnalysis  # noqa: F401  (before pliant.analysis, which says that it lacks MDAnalysis itself)
 
 from pliant._checked import NOT_ZERO, PAIRS_OF_TEXTS, checked, whole
-from pliant._core import InputError
 from pliant._display import Displayed, Facts
 from pliant._progress import Stages
+from pliant._trajectory.files import file_of
 from pliant._trajectory.sources import Molecule
-from pliant._trajectory.trajectory import HasFrames, Trajectory
+from pliant._trajectory.trajectory import HasFrames
 from pliant.analyse.analysis import Analysis, AnalysisOptions
 from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.stages import STAGES, analyse_trajectory
@@ -130,7 +130,7 @@ def analyse(
     """
     if output is not None:
         check_folder(Path(output))
-    path, folder = file_of(path)
+    path, folder = file_of(path, "analyse")
     options = AnalysisOptions(
         os.fspath(path),
         None if topology is None else os.fspath(topology),
@@ -149,24 +149,6 @@ def analyse(
         return _analysed(options, output, dpi, on_stage, folder)
     with Stages("analysing", 2 + len(STAGES)) as stages:
         return _analysed(options, output, dpi, stages, folder)
-
-
-def file_of(given: Any) -> tuple[str, tempfile.TemporaryDirectory[str] | None]:
-    """The file of a trajectory; frames in memory get one, in a folder that goes with the object."""
-    if isinstance(given, (str, os.PathLike)):
-        return os.fspath(given), None
-    frames = Trajectory(given)
-    if frames.path is not None:
-        return os.fspath(frames.path), None
-    if len(frames) < 2:
-        found = type(given).__name__
-        raise InputError(
-            f"analyse: expected frames, or a file of them, found one {found}: "
-            "pliant.analyse(pliant.sample(structure))"
-        )
-    folder = tempfile.TemporaryDirectory(prefix="pliant-")
-    source = given if isinstance(given, HasFrames) else frames
-    return os.fspath(source.save(Path(folder.name) / "frames.h5md")), folder
 
 
 def _analysed(

@@ -46,6 +46,11 @@ def went_on(folder):
     return pliant.continue_run(folder / "out.h5md", FRAMES - 1)
 
 
+def sampled_on(folder):
+    pliant.sample(PEPTIDE, frames=2, seed=1, output=folder / "out.h5md")
+    return pliant.continue_sample(folder / "out.h5md", FRAMES)
+
+
 def part_of_a_file(folder):
     ran_to_a_file(folder)
     return pliant.Trajectory(folder / "out.h5md")[:]
@@ -58,7 +63,7 @@ def found(folder):
 
 RESULTS = (
     sampled, sampled_to_a_file, file_of_a_sample, ran, ran_to_a_file, ran_to_models, went_on,
-    part_of_a_file, found,
+    sampled_on, part_of_a_file, found,
 )  # fmt: skip
 
 
@@ -197,9 +202,12 @@ def test_frames_that_are_not_of_the_molecule_are_refused():
 
 def test_representatives_are_chosen_of_a_file(tmp_path):
     pytest.importorskip("MDAnalysis")
-    pliant.sample(PEPTIDE, frames=FRAMES, output=tmp_path / "out.h5md")
+    ensemble = pliant.sample(PEPTIDE, frames=FRAMES, output=tmp_path / "out.h5md")
     chosen = pliant.representatives(tmp_path / "out.h5md", 2)
     assert len(chosen.frames) == 2
+    assert pliant.representatives(ensemble, 2).frames.tolist() == chosen.frames.tolist()
+    with pytest.raises(pliant.InputError, match=r"pliant\.representatives\(pliant\.sample\("):
+        pliant.representatives(ensemble.structure, 2)
 
 
 def test_analyse_compares_with_the_topology_that_sample_writes(tmp_path, monkeypatch):
