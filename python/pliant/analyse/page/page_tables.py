@@ -159,7 +159,7 @@ def _flexible_table(analysis: Analysis) -> PageTable:
     caption = f"Most flexible {units.what}s"
     if not found.converged:
         caption += " (not converged)"
-    return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)", "two errors"), rows)
+    return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)", "± 2 standard errors"), rows)
 
 
 def _domain_table(analysis: Analysis) -> PageTable:
