@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from importlib import util
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -53,8 +54,11 @@ def blocks(text: str) -> Iterator[Block]:
 
 
 def fill(folder: Path) -> None:
-    """Puts into a folder what pages count on: `data`, and ubiquitin where it was fetched."""
+    """Puts into a folder what pages count on: `data`, 1HVR, and ubiquitin where it was fetched."""
     (folder / "data").symlink_to(ROOT / "data")
+    tests = util.find_spec("MDAnalysisTests")
+    if tests and tests.origin:
+        (folder / "1hvr.pdb").symlink_to(Path(tests.origin).parent / "data/1hvr.pdb")
     for name, source in (("1ubi.pdb", "pdb1ubi.pdb"), ("2k39.pdb", "pdb2k39_ca.pdb")):
         if (STRUCTURES / source).exists():
             (folder / name).symlink_to(STRUCTURES / source)
