@@ -43,7 +43,9 @@ def flexibility_columns(analysis: Analysis) -> dict[str, Any]:
         "converged": [int(found.converged)] * len(units.labels),
     }
     if part.b_estimate is not None:
-        columns["b_estimate_over_mean"] = ["" if b != b else round(b, 3) for b in part.b_estimate.tolist()]
+        columns["b_estimate_over_mean"] = [
+            "" if b != b else round(b, 3) for b in part.b_estimate.tolist()
+        ]
     if RigidDomains in analysis:
         columns["domain"] = analysis[RigidDomains].of_unit + 1  # 0: none
     if UnitsInComponents in analysis:
@@ -52,7 +54,9 @@ def flexibility_columns(analysis: Analysis) -> dict[str, Any]:
         for k, row in enumerate(share):
             values = np.full(len(units.labels), np.nan)
             values[moved] = np.sqrt(row * results.eigenvalues[k])
-            columns[f"pc{k + 1}_angstrom"] = ["" if v != v else round(v, 4) for v in values.tolist()]
+            columns[f"pc{k + 1}_angstrom"] = [
+                "" if v != v else round(v, 4) for v in values.tolist()
+            ]
     return columns
 
 

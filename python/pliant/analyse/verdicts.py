@@ -232,7 +232,7 @@ def _draws(analysis: Analysis) -> Verdict | None:
         more = f" and {len(again) - NAMED} more" if len(again) > NAMED else ""
         details = (
             f"The first attempts at frames {named}{more} failed; each took up to "
-            f"{int(redraws.max()) + 1} attempts. The motions that the failed attempts asked for are "
+            f"{int(redraws.max()) + 1} attempts. The motions that these asked for are "
             "under-represented."
         )
     missing = _missing_frames(analysis)

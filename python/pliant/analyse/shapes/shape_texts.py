@@ -30,7 +30,9 @@ def shapes_verdict(analysis: Analysis) -> Verdict | None:
     if part is None:
         return None
     if part.groups is None:
-        sentence = f"No other shapes were searched for: all {count} frames were drawn around the start."
+        sentence = (
+            f"No other shapes were searched for: all {count} frames were drawn around the start."
+        )
         return Verdict("open", sentence, "pliant sample --sampler reach goes further.")
     start, limit = analysis[ReferenceStructure].name, part.groups.limit
     alone = (
