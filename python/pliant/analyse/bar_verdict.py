@@ -75,8 +75,8 @@ def _worst(analysis: Analysis, part: Residuals) -> str:
         where += f" (step {analysis.steps[k]})"
     return (
         f"The worst is off by {scientific(found.max_relative[k])} of its length (tolerance "
-        f"{tolerance_text(residuals)}): bar {name} in {where}. Computed anew from the "
-        f"{'double' if residuals.precision == 'float64' else 'single'} precision "
+        f"{tolerance_text(residuals)}): bar {name} in {where}. Measured from the "
+        f"{'double' if residuals.precision == 'float64' else 'single'}-precision "
         f"coordinates in the file{_rounded(residuals.rounded_to)}."
     )
 

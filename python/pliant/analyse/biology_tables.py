@@ -37,14 +37,16 @@ def flexibility_columns(analysis: Analysis) -> dict[str, Any]:
         "chain": units.chains,
         "number": units.numbers,
         "of_chain": units.of_chain.astype(int),
-        "rmsf_angstrom": found.rmsf,
-        "error_angstrom": found.error,
-        "first_half_angstrom": found.halves[0],
-        "second_half_angstrom": found.halves[1],
+        "rmsf_angstrom": np.round(found.rmsf, 4),
+        "error_angstrom": np.round(found.error, 4),
+        "first_half_angstrom": np.round(found.halves[0], 4),
+        "second_half_angstrom": np.round(found.halves[1], 4),
         "converged": [int(found.converged)] * len(units.labels),
     }
     if part.b_estimate is not None:
-        columns["b_estimate_over_mean"] = ["" if b != b else b for b in part.b_estimate.tolist()]
+        columns["b_estimate_over_mean"] = [
+            "" if b != b else round(b, 3) for b in part.b_estimate.tolist()
+        ]
     if RigidDomains in analysis:
         columns["domain"] = analysis[RigidDomains].of_unit + 1  # 0: none
         columns["hinge_share"] = analysis[RigidDomains].hinge_share
@@ -54,7 +56,9 @@ def flexibility_columns(analysis: Analysis) -> dict[str, Any]:
         for k, row in enumerate(share):
             values = np.full(len(units.labels), np.nan)
             values[moved] = np.sqrt(row * results.eigenvalues[k])
-            columns[f"pc{k + 1}_angstrom"] = ["" if v != v else v for v in values.tolist()]
+            columns[f"pc{k + 1}_angstrom"] = [
+                "" if v != v else round(v, 4) for v in values.tolist()
+            ]
     return columns
 
 

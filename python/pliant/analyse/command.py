@@ -178,30 +178,24 @@ def _analyse(options: argparse.Namespace) -> int:
 
 
 def _print_summary(summary: Mapping[str, Any]) -> None:
-    for text in summary["notes"]:
-        note(text)
+    """What was found in eight lines; the rest is in the report and in --json."""
+    from pliant.analyse.pockets.pocket_texts import pocket_line
+
     for name, why in summary["skipped"].items():
         note(f"no {name}: {why}")
     print(f"frames          {summary['frames']}, of {summary['atoms_analysed']} atoms")
-    for name, one in summary["verdicts"].items():
-        print(f"{name:<16}{one['text']}")
-    rows = (
-        ("flexibility", "flexibility_mean", "{:.3f} Angstrom, mean RMSF{error}"),
-        ("worst residual", "max_residual", "{:.2e} of the bar's length{rounding}"),
-        ("sweeps per step", "sweeps_mean", "{:.1f} on average"),
-        ("RMSD", "rmsd_max", "{:.3f} Angstrom at most"),
-        ("gyration", "radius_of_gyration_mean", "{:.3f} Angstrom, mean radius"),
-        ("torsions", "rotatable_bonds", "{} rotatable bonds"),
-    )
-    error = summary.get("flexibility_error_mean")
-    unit = summary.get("rounded_to", 0.0)
-    more = {
-        "error": "" if error is None else f"; standard error of each {error:.3f} on average",
-        "rounding": f", after rounding to {unit:.1g} Angstrom" if unit else "",
-    }
-    for label, key, text in rows:
-        if key in summary:
-            print(f"{label:<16}{text.format(summary[key], **more)}")
+    print(f"checks          {summary['judgement_text']}")
+    if "flexibility_mean" in summary:
+        error = 2 * summary["flexibility_error_mean"]
+        print(f"flexibility     {summary['flexibility_mean']:.2f} ± {error:.2g} Å (mean RMSF)")
+    for name in ("domains", "other shapes"):
+        if name in summary["verdicts"]:
+            print(f"{name:<16}{summary['verdicts'][name]['text']}")
+    if "pockets" in summary:
+        print(f"pockets         {pocket_line(summary['pockets'])}")
+    for one in summary.get("distances", ()):
+        ends = f"{one['from']} to {one['to']}"
+        print(f"distance        {one['smallest']:.1f} to {one['largest']:.1f} Å: {ends}")
     print(f"report          {printable_name(summary['outputs']['report'])}")
 
 

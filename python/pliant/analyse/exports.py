@@ -208,5 +208,12 @@ def chimerax_script(analysis: Analysis) -> str:
             lines.append(f"name domain{k + 1} :{residues}")
             lines.append(f"# color domain{k + 1} {DOMAIN_COLOURS[k]}")
     return "\n".join(
-        [*lines, *chimerax_lines(analysis), "set bgColor white", "view", "coordset #1 1,-1 pauseFrames 4 loop 100", ""]
+        [
+            *lines,
+            *chimerax_lines(analysis),
+            "set bgColor white",
+            "view",
+            "coordset #1 1,-1 pauseFrames 4 loop 100",
+            "",
+        ]
     )

@@ -54,6 +54,7 @@ def summary(analysis: Analysis, outputs: Mapping[str, Any]) -> Values:
         "verdict_text": judged.sentence,
         "frames_are": analysis.kind,
         "judgement": whole(analysis).kind,
+        "judgement_text": whole(analysis).sentence,
         "verdicts": made,
     }
     for part, values_of in VALUES.items():
@@ -86,6 +87,7 @@ def _distances(analysis: Analysis) -> Values:
     pairs = zip(part.ends, part.values, strict=True)
     found = [
         {"from": first, "to": second, "mean": float(values.mean()), "sd": float(values.std())}
+        | {"smallest": float(values.min()), "largest": float(values.max())}
         for (first, second), values in pairs
     ]
     return {"distances": found}

@@ -129,18 +129,18 @@ def whole(analysis: Analysis) -> Verdict:
     failed = [name for name, one in made.items() if one.kind == "bad"]
     if failed:
         sentence = f"Do not use these frames as they are: see {' and '.join(failed)}."
-        return Verdict("bad", sentence, "Other questions may well have good answers.")
+        return Verdict("bad", sentence, "The other checks are listed below.")
     if analysis.kind in NO_ENSEMBLES:
         held = [name for name, one in made.items() if one.kind == "good"]
-        details = f"Judged and found good: {', '.join(held)}." if held else ""
+        details = f"Checks passed: {', '.join(held)}." if held else ""
         return Verdict("mixed", f"{NO_ENSEMBLES[analysis.kind]}, and not an ensemble.", details)
     doubtful = [one for one in made.values() if one.kind == "mixed"]
     if doubtful:
         return Verdict("mixed", doubtful[0].sentence, doubtful[0].details)
     held = [name for name, one in made.items() if one.kind == "good"]
     if not held:
-        return Verdict("open", "There is nothing here to judge.", "")
-    return Verdict("good", f"All that could be judged is good: {', '.join(held)}.", "")
+        return Verdict("open", "There is nothing here to check.", "")
+    return Verdict("good", f"All checks passed: {', '.join(held)}.", "")
 
 
 def _sentence(text: str) -> str:
@@ -171,9 +171,9 @@ def _convergence(analysis: Analysis) -> Verdict:
             f"Nothing fluctuates by more than {found.rmsf.max():.1g} Å: all frames are alike.",
         )
     details = (
-        f"Profiles of the two halves of the frames correlate by {found.correlation:.3f} and differ "
-        f"by {100 * found.difference:.0f} % on average (converged: 0.95 and more, 10 % and less). "
-        f"Errors come from {found.blocks} blocks."
+        f"RMSF profiles of the two halves of the frames correlate at {found.correlation:.3f} and "
+        f"differ by {100 * found.difference:.0f} % on average (converged: at least 0.95 and at most "
+        f"10 %). Errors are estimated from {found.blocks} blocks of frames."
     )
     if analysis.kind == ENSEMBLE and len(analysis.frames) < 200:
         details += " Fewer than 200 frames do not fill two blocks: errors may be too large."
@@ -195,14 +195,14 @@ def _stereochemistry(analysis: Analysis) -> Verdict:
         )
     looked_at, reference = analysis[Shapes].frames, analysis[ReferenceStructure]
     details = (
-        f"{len(looked_at)} of {len(analysis.frames)} frames looked at, compared with "
-        f"{reference.name}: {len(rows)} questions, in the table below."
+        f"{len(looked_at)} of {len(analysis.frames)} frames were compared with {reference.name}: "
+        f"see the {len(rows)} checks in the table below."
     )
     failed = [f"{row.name} ({row.found})" for row in rows if not row.passed]
     if failed:
         return Verdict("bad", f"Stereochemistry is broken: {', '.join(failed)}.", details)
     some = " of the recorded atoms" if analysis.stored.joints_of_whole else ""
-    return Verdict("good", f"Stereochemistry{some} holds.", details)
+    return Verdict("good", f"Stereochemistry{some} is intact.", details)
 
 
 def _amplitude(analysis: Analysis) -> Verdict | None:
@@ -211,9 +211,9 @@ def _amplitude(analysis: Analysis) -> Verdict | None:
     if asked is None or part is None or analysis.kind != ENSEMBLE:
         return None
     reached = float(part.found.rmsf.mean())
-    sentence = f"Amplitude: asked {asked:.2f} Å, reached {reached:.2f} Å."
+    sentence = f"Amplitude: {asked:.2f} Å requested, {reached:.2f} Å reached."
     details = (
-        "Mean RMSF after superposition. It is an input: which parts move more than others is a "
+        "This is the mean RMSF after superposition. It is an input: which parts move more than others is a "
         "result, how far they move overall is not."
     )
     kind = "mixed" if reached < LEAST_REACHED * asked else "open"
@@ -227,15 +227,15 @@ def _draws(analysis: Analysis) -> Verdict | None:
         return None
     again, count = analysis.frames[redraws > 0], len(redraws)
     if len(again) == 0:
-        sentence, details = f"Each of {count} frames is as it was first drawn.", ""
+        sentence, details = "No frame had to be redrawn.", ""
     else:
-        sentence = f"{len(again)} of {count} frames were drawn again."
+        sentence = f"{len(again)} of {count} frames had to be redrawn."
         named = ", ".join(str(frame) for frame in again[:NAMED])
         more = f" and {len(again) - NAMED} more" if len(again) > NAMED else ""
         details = (
-            f"The first draws of frames {named}{more} could not be resolved. These frames "
-            f"took {int(redraws.max()) + 1} draws at most, and the ensemble has less of what those "
-            "first draws asked for."
+            f"The first attempts at frames {named}{more} failed; each took up to "
+            f"{int(redraws.max()) + 1} attempts. The motions that these asked for are "
+            "under-represented."
         )
     missing = _missing_frames(analysis)
     if missing:

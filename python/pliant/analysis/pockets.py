@@ -112,7 +112,9 @@ def room_among(
     hull = ConvexHull(positions[lining])
     planes = hull.equations.astype(np.float32)
     low, high = hull.min_bound - SMALL_PROBE, hull.max_bound + SMALL_PROBE
-    axes = (np.arange(a + (offset - 1) * spacing, b, spacing) for a, b in zip(low, high, strict=True))
+    axes = (
+        np.arange(a + (offset - 1) * spacing, b, spacing) for a, b in zip(low, high, strict=True)
+    )
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     outside = (points.astype(np.float32) @ planes[:, :3].T + planes[:, 3]).max(axis=1)
     near = outside <= SMALL_PROBE  # there the centre of a probe may be that reaches inside

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The report page in a real browser: it draws, plays and colours, and asks no network."""
 
+import base64
 import json
 import re
 import shutil
@@ -269,3 +270,22 @@ def test_without_3dmol_the_rest_of_the_page_is_whole(report, folder, monkeypatch
     assert "The 3-D view is not in this page, because 3Dmol.js is not in the installed" in text
     assert "<script" not in text
     assert text.count("<img") == 10
+
+
+@needs_browser
+@needs_viewer
+def test_it_prints_on_four_pages_and_follows_a_dark_screen(report, opened):
+    browser = opened(report)
+    colour = "getComputedStyle(document.body).backgroundColor"
+    light = browser.evaluate(colour)
+    feature = {"name": "prefers-color-scheme", "value": "dark"}
+    browser.call("Emulation.setEmulatedMedia", {"features": [feature]})
+    try:
+        assert (light, browser.evaluate(colour)) == ("rgb(245, 246, 247)", "rgb(18, 23, 27)")
+        blend = "getComputedStyle(document.querySelector('figure img')).mixBlendMode"
+        assert browser.evaluate(blend) == "screen"
+        printed = base64.b64decode(browser.call("Page.printToPDF")["data"])
+    finally:
+        browser.call("Emulation.setEmulatedMedia", {"features": []})
+    assert 1 < len(re.findall(rb"/Type\s*/Page\b", printed)) <= 4
+    assert printed.count(b"/Subtype /Image") >= 10  # the figures

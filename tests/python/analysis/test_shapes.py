@@ -228,7 +228,7 @@ def test_the_report_says_which_shapes_there_are(ensemble, tmp_path, no_drawing):
     assert text.startswith("3 other shapes, ")
     page = (folder / "report.html").read_text(encoding="utf-8")
     assert "What else it could look like" in page
-    assert "is no population" in page
+    assert "is not a population" in page
     chosen = representatives(path, shapes=True, output=tmp_path / "one_each.pdb")
     assert chosen.frames.tolist() == [int(row["frame"]) for row in found]
     assert (tmp_path / "one_each.pdb").read_bytes() == (folder / "shapes.pdb").read_bytes()
@@ -247,7 +247,7 @@ def test_frames_around_the_start_alone_are_said_to_be_that(ensemble, tmp_path, c
     values = json.loads(capsys.readouterr().out)
     assert values["shapes"] == []
     assert not values["shapes_looked_for"]
-    said = "No other shape was looked for: all 30 frames were drawn around the start."
+    said = "No other shapes were searched for: all 30 frames were drawn around the start."
     assert values["verdicts"]["other shapes"]["text"] == said
     assert not (folder / "shapes.csv").exists()
     assert "none looked for: see --sampler reach" in (folder / "report.html").read_text()

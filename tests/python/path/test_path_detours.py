@@ -181,4 +181,4 @@ def test_a_page_of_a_path_claims_no_errors(hairpin, tmp_path):
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8").split("<script")[0]
     assert "A path from one structure to another" in page
     assert "move most on the way" in page
-    assert "two errors" not in page
+    assert "standard errors" not in page

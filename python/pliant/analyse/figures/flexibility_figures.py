@@ -85,7 +85,7 @@ def _errors(axes: Axes, analysis: Analysis) -> None:
     else:
         _bands(axes, analysis)
     agree = "halves agree" if found.converged else "not converged: halves differ"
-    error = f"two errors {2 * found.error.mean():.1g} Å on average"
+    error = f"2 standard errors {2 * found.error.mean():.1g} Å on average"
     axes.set_title(f"Flexibility: {agree}, {error}")
     axes.set_ylim(0, 1.04 * float((found.rmsf + 2 * found.error).max()) or 1.0)
 

@@ -168,7 +168,7 @@ def _notes(analysis: Analysis, shown: Mapping[str, Any] | None) -> str:
     notes = analysis.notes
     notes += [f"No {name}: {why}." for name, why in analysis.skipped.items()]
     if shown and shown["notes"]:
-        notes.append(f"To stay small, the 3-D view shows {' and '.join(shown['notes'])}.")
+        notes.append(f"To keep the page small, the 3-D view shows {' and '.join(shown['notes'])}.")
     if not notes:
         return ""
     items = "".join(f"<li>{escape(sentence(note))}</li>" for note in notes)

@@ -53,7 +53,7 @@ if TYPE_CHECKING:
 
 #: share of the frames from which a contact counts as kept, and below which as lost
 KEPT = 0.9
-ERRORS = "± 2 standard errors"  #: heading of a column
+ERRORS = "± 2 standard errors"
 LOST = 0.1
 #: share of the frames from which a contact that the start lacks counts as gained
 GAINED = 0.5

@@ -73,7 +73,7 @@ def thinned(analysis: Analysis, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX
     count = int(np.clip(max_bytes // per_frame, 2, len(analysis.frames)))
     frames = np.unique(np.linspace(0, len(analysis.frames) - 1, count).round().astype(int))
     if len(frames) < len(analysis.frames):
-        notes.append(f"{len(frames)} of {len(analysis.frames)} frames")
+        notes.insert(0, f"{len(frames)} of the {len(analysis.frames)} frames")
     return Thinned(atoms.ix, frames, notes, drawn.trace_only)
 
 

@@ -33,7 +33,7 @@ def drawn_atoms(
     if count <= min(most, MAX_WITH_HYDROGENS) or len(heavy) == count <= most:
         return DrawnAtoms(every)
     if len(heavy) <= most:
-        return DrawnAtoms(heavy, (f"the molecule without the {count - len(heavy)} hydrogens",))
+        return DrawnAtoms(heavy, (f"all atoms except the {count - len(heavy)} hydrogens",))
     if 4 <= len(found := trace()) <= most:
         return DrawnAtoms(found, ("the CA and P atoms only",), trace_only=True)
     stride = -(-count // most)

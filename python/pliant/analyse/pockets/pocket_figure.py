@@ -32,7 +32,9 @@ def pocket_volume_figure(analysis: Analysis) -> Figure:
         if analysis.kind == ENSEMBLE:
             panel.plot(x[~far], pocket.volumes[~far], color=BLUE, label="around the start", **marks)
             if far.any():
-                panel.plot(x[far], pocket.volumes[far], color=ORANGE, label="further from it", **marks)
+                panel.plot(
+                    x[far], pocket.volumes[far], color=ORANGE, label="further from it", **marks
+                )
         else:
             panel.plot(x, pocket.volumes, color=BLUE)
         ends = [pocket.smallest, pocket.largest]

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._drawn_by import DRAWN_BY
-from pliant.analyse.pockets.pocket_volumes import Pocket, PocketVolumes
 from pliant.analyse.names import chains_of
+from pliant.analyse.pockets.pocket_volumes import Pocket, PocketVolumes
 from pliant.analyse.shapes.shape_texts import residues_text
 
 if TYPE_CHECKING:

@@ -154,7 +154,7 @@ def _numbers(facts: RigidityFacts) -> list[tuple[str, str, str]]:
 def _notes(notes: list[str]) -> str:
     if not notes:
         return ""
-    text = f"To stay small, the 3-D view shows {' and '.join(notes)}."
+    text = f"To keep the page small, the 3-D view shows {' and '.join(notes)}."
     return f'<h2>Please note</h2><section class="notes card"><p>{escape(text)}</p></section>'
 
 

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
 
 NO_POPULATION = (
-    "How many frames are in a shape is no population: it says how the frames were drawn, and "
-    "nothing of energies or of how often a molecule has that shape."
+    "The number of frames in a shape is not a population: it reflects how the frames were drawn, "
+    "not energies or how often the molecule has that shape."
 )
 #: contacts of a shape that the page names
 NAMED = 4
@@ -30,7 +30,9 @@ def shapes_verdict(analysis: Analysis) -> Verdict | None:
     if part is None:
         return None
     if part.groups is None:
-        sentence = f"No other shape was looked for: all {count} frames were drawn around the start."
+        sentence = (
+            f"No other shapes were searched for: all {count} frames were drawn around the start."
+        )
         return Verdict("open", sentence, "pliant sample --sampler reach goes further.")
     start, limit = analysis[ReferenceStructure].name, part.groups.limit
     alone = (

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""Volumes of pockets: against spheres, against KVFinder, and in the report."""
+
+import csv
+import json
+
+import MDAnalysis
+import numpy as np
+import pytest
+from pliant.analyse.command import main
+from pliant.analysis.pockets import RADII, find_pockets, room_among
+from scipy.spatial import Delaunay
+from test_shapes import shell
+
+import pliant
+
+DATA = pytest.importorskip("MDAnalysisTests.datafiles")
+FOLDER = DATA.PDB_small.rsplit("/", 1)[0]
+
+#: pyKVFinder 0.9.6 (probes 1.4 and 4 Å, removal distance 2.4 Å, grid 0.6 Å): the volume of its
+#: cavities within the hull of the atoms that line ours, Å^3, largest pocket of ours first
+KVFINDER = {"1hvr.pdb": [643], "adk_open.pdb": [146], "1a28.pdb.gz": [564, 564, 487, 332]}
+
+
+@pytest.mark.parametrize("radius", [5.0, 6.0, 8.0, 10.0])
+def test_room_among_the_atoms_of_a_sphere_is_that_of_the_sphere(radius):
+    atoms, every = shell(radius, 1500) + 0.3, np.arange(1500)
+    expected = 4 / 3 * np.pi * (radius - 1.7) ** 3
+    coarse = room_among(atoms, np.full(1500, 1.7), every)
+    fine = room_among(atoms, np.full(1500, 1.7), every, spacing=0.5)
+    assert coarse == pytest.approx(expected, rel=0.08)
+    assert abs(fine - expected) < abs(coarse - expected)
+    bowl = np.flatnonzero(atoms[:, 2] < 0.3)  # whose mouth counts up to a plane
+    half = room_among(atoms[bowl], np.full(len(bowl), 1.7), np.arange(len(bowl)))
+    assert half == pytest.approx(expected / 2, rel=0.04)
+
+
+def test_there_is_no_room_among_atoms_that_touch():
+    atoms = 1.5 * np.argwhere(np.ones((4, 4, 4)))
+    assert room_among(atoms, np.full(len(atoms), 1.7), np.arange(len(atoms))) == 0.0
+
+
+def heavy_atoms(name):
+    atoms = MDAnalysis.Universe(f"{FOLDER}/{name}").select_atoms("protein and not name H*")
+    radii = [RADII.get(name.lstrip("0123456789")[:1], 1.7) for name in atoms.names]
+    return atoms, np.array(radii)
+
+
+def lined(found, k):
+    return np.unique(found.atom[found.pocket == k])
+
+
+def test_volumes_are_those_of_kvfinder():
+    """Ours are larger, by a fifth in the median: nothing is cut off at the mouths."""
+    ours, theirs = [], []
+    for name, volumes in KVFINDER.items():
+        atoms, radii = heavy_atoms(name)
+        positions = atoms.positions.astype(float)
+        found = find_pockets(positions, radii)
+        ours += [room_among(positions, radii, lined(found, k)) for k in range(len(volumes))]
+        theirs += volumes
+    ratio = np.array(ours) / theirs
+    assert ratio.min() > 0.9
+    assert ratio.max() < 1.6
+    assert 1.0 < np.median(ratio) < 1.25
+    assert np.corrcoef(ours, theirs)[0, 1] > 0.75
+
+
+@pytest.mark.long
+def test_the_table_is_what_kvfinder_gives_now():
+    kvfinder = pytest.importorskip("pyKVFinder")
+    for name, volumes in KVFINDER.items():
+        atoms, radii = heavy_atoms(name)
+        positions = atoms.positions.astype(float)
+        found = find_pockets(positions, radii)
+        columns = [atoms.resids, ["A"] * len(atoms), atoms.resnames, atoms.names, *positions.T]
+        table = np.array(list(zip(*columns, radii, strict=True)), dtype=object)
+        corners = kvfinder.get_vertices(table, probe_out=4.0, step=0.6)
+        options = {"probe_in": 1.4, "probe_out": 4.0, "removal_distance": 2.4}
+        _, cavities = kvfinder.detect(table, corners, step=0.6, volume_cutoff=30.0, **options)
+        axes = np.array([(p - corners[0]) / np.linalg.norm(p - corners[0]) for p in corners[1:]])
+        points = corners[0] + 0.6 * np.argwhere(cavities > 1) @ axes
+        for k, volume in enumerate(volumes):
+            inside = Delaunay(positions[lined(found, k)]).find_simplex(points) >= 0
+            assert np.count_nonzero(inside) * 0.6**3 == pytest.approx(volume, rel=0.03)
+
+
+@pytest.fixture(scope="module")
+def protease(tmp_path_factory):
+    """Frames of HIV-1 protease with its inhibitor, and the folder of their report."""
+    folder = tmp_path_factory.mktemp("protease")
+    model = pliant.read(f"{FOLDER}/1hvr.pdb")
+    with pytest.warns(pliant.PliantWarning):
+        pliant.sample(model, 12, sampler="modes", output=folder / "hiv.h5md")
+    assert main([str(folder / "hiv.h5md"), "-o", str(folder / "out"), "--quiet"]) == 0
+    return folder
+
+
+def test_the_report_measures_the_site_of_a_ligand(protease, capsys):
+    folder = protease / "out"
+    with open(folder / "pockets.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    site = "site of A:XK2263 (angstrom3)"
+    volumes = [int(row[site]) for row in rows]
+    assert len(volumes) == 12
+    assert all(800 < volume < 1300 for volume in volumes)
+    assert main([str(protease / "hiv.h5md"), "-o", str(protease / "again"), "--json"]) == 0
+    first = json.loads(capsys.readouterr().out)["pockets"]["volumes"][0]
+    assert first["name"] == "site of A:XK2263"
+    assert {"A:ASP25", "B:ASP25", "A:ILE50", "B:ILE50"} <= set(first["residues"])
+    assert 0.02 < first["error"] / first["at_start"] < 0.1
+    assert first["largest"]["volume"] == pytest.approx(max(volumes), abs=0.5)
+    assert volumes[first["smallest"]["frame"]] == min(volumes)
+
+
+def test_structures_and_scripts_show_pocket_and_ligand(protease):
+    folder = protease / "out"
+    for end in ("smallest", "largest"):
+        shown = MDAnalysis.Universe(folder / f"pocket1_{end}.pdb")
+        assert len(shown.select_atoms("resname XK2")) == 46
+        lining = shown.atoms[shown.atoms.tempfactors > 0.5]
+        assert {25, 50} <= set(lining.resids)
+        assert len(set(lining.resids)) < 40
+    pymol = (folder / "show.pml").read_text(encoding="utf-8")
+    assert "show sticks, ensemble and organic" in pymol
+    assert "load pocket1_largest.pdb, pocket1_largest" in pymol
+    assert pymol.index("scene F3, store") < pymol.index("mplay")
+    assert "show ligand" in (folder / "show.cxc").read_text(encoding="utf-8")
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    assert "<h2>Pockets</h2>" in page
+    assert "not how often it does" in page
