@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant.analyse.domains.domain_texts import domain_rows, domain_verdict
 from pliant.analyse.parts import RigidDomains, Torsions, UnitFlexibility, Units
 from pliant.analyse.shapes.other_shapes import OtherShapes
 from pliant.analyse.shapes.shape_texts import turns_text
@@ -28,7 +28,7 @@ def answers(study: Study) -> dict[str, str]:
     small = analysis[Units].what == "atom"
     lines = {
         "molecule": _molecule(analysis),
-        "left out": _listed(study.sampled.left_out) or "nothing",
+        "left out": "; ".join(study.sampled.facts["left_out"]) or "nothing",
         "flexible": _flexible(study),
         "together": _rotatable(analysis) if small else _together(analysis),
         "other shapes": _conformers(study) if small else _other_shapes(analysis),
@@ -59,7 +59,7 @@ def _flexible(study: Study) -> str:
     if part is None or part.found.still:
         return "nothing moves" if part else f"not known: {analysis.skipped.get('flexibility', '')}"
     found = part.found
-    among = np.flatnonzero(units.of_chain) if units.of_chain.any() else np.arange(len(found.rmsf))
+    among = np.flatnonzero(units.ranked)
     most = among[np.argsort(-found.rmsf[among], kind="stable")][:MOST_NAMED]
     named = ", ".join(
         f"{units.labels[k]} {found.rmsf[k]:.1f} ± {2 * found.error[k]:.1g}" for k in most
@@ -87,12 +87,16 @@ def _conformers(study: Study) -> str:
 
 
 def _together(analysis: Analysis) -> str:
-    domains = analysis.get(RigidDomains)
-    if domains is None:
+    verdict = domain_verdict(analysis)
+    if verdict is None:
         return "not known: too few residues, or nothing moves"
-    if domains.found.count < 2:
-        return "one piece: no domains that move against each other"
-    return f"{domains.found.count} domains"
+    if analysis[RigidDomains].found.count < 2:
+        return verdict.sentence
+    rows = [row for row in domain_rows(analysis) if row[2]]
+    domains = [f"{where} ({share})" for what, where, share in rows if what.isdigit()]
+    hinges = [f"{where} ({share})" for what, where, share in rows if what == "hinge"]
+    found = f"{len(domains)} domains (share of resamples): {'; '.join(domains)}"
+    return found + (f"; hinge {', '.join(hinges)}" if hinges else "")
 
 
 def _other_shapes(analysis: Analysis) -> str:
@@ -128,14 +132,6 @@ def _md_starts(study: Study) -> str:
     answer = f"no ({', '.join(failed)})" if failed else "yes"
     looked_at = f"{covers.md_starts} of {covers.frames} frames were looked at"
     return f"{answer}, once minimised{alone}; {looked_at}"
-
-
-def _listed(counts: Mapping[str, int]) -> str:
-    """ "188 waters, 8 DMS": the most first, waters before."""
-    ordered = sorted(counts.items(), key=lambda item: (item[0] != "water", -item[1], item[0]))
-    return ", ".join(
-        counted(count, name) if name == "water" else f"{count} {name}" for name, count in ordered
-    )
 
 
 def _some(names: list[str]) -> str:

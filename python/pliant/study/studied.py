@@ -51,7 +51,7 @@ class Study(Displayed):
         return {
             "file": self.file,
             "answers": self.answers(),
-            "left_out": self.sampled.left_out,
+            "left_out": self.sampled.facts["left_out"],
             "sample": self.sampled.facts,
             "analysis": self.report.as_json(),
             "representatives": self.representatives and self.representatives.as_json(),
