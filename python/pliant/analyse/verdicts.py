@@ -170,7 +170,7 @@ def _convergence(analysis: Analysis) -> Verdict:
         )
     details = (
         f"RMSF profiles of the two halves of the frames correlate at {found.correlation:.3f} and "
-        f"differ by {100 * found.difference:.0f} % on average (converged: at least 0.95 and at most "
+        f"differ by {100 * found.difference:.0f} % on average (converged: at least 0.95, at most "
         f"10 %). Errors are estimated from {found.blocks} blocks of frames."
     )
     if analysis.kind == ENSEMBLE and len(analysis.frames) < 200:
