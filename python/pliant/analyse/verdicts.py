@@ -211,8 +211,8 @@ def _amplitude(analysis: Analysis) -> Verdict | None:
     reached = float(part.found.rmsf.mean())
     sentence = f"Amplitude: {asked:.2f} Å requested, {reached:.2f} Å reached."
     details = (
-        "This is the mean RMSF after superposition. It is an input: which parts move more than others is a "
-        "result, how far they move overall is not."
+        "This is the mean RMSF after superposition. It is an input: which parts move more than "
+        "others is a result, how far they move overall is not."
     )
     kind = "mixed" if reached < LEAST_REACHED * asked else "open"
     return Verdict(kind, sentence, details)
