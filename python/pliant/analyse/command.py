@@ -185,6 +185,9 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
         note(f"no {name}: {why}")
     print(f"frames          {summary['frames']}, of {summary['atoms_analysed']} atoms")
     print(f"checks          {summary['judgement_text']}")
+    for name, one in summary["verdicts"].items():
+        if one["kind"] in ("mixed", "bad") and name != "what it is":
+            print(f"{name:<16}{one['text']}")
     if "flexibility_mean" in summary:
         error = 2 * summary["flexibility_error_mean"]
         print(f"flexibility     {summary['flexibility_mean']:.2f} ± {error:.2g} Å (mean RMSF)")

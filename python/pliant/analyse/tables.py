@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The results as CSV files: one row per frame, atom, residue, bar, torsion or component.
 
-Numbers are written with all their digits, but in flexibility.csv and pockets.csv; atoms, residues, bars and frames count from 0.
+Numbers are written with all their digits (but in flexibility.csv and pockets.csv);
+atoms, residues, bars and frames count from 0.
 """
 
 from __future__ import annotations

@@ -172,7 +172,7 @@ def _convergence(analysis: Analysis) -> Verdict:
         )
     details = (
         f"RMSF profiles of the two halves of the frames correlate at {found.correlation:.3f} and "
-        f"differ by {100 * found.difference:.0f} % on average (converged: at least 0.95 and at most "
+        f"differ by {100 * found.difference:.0f} % on average (converged: at least 0.95, at most "
         f"10 %). Errors are estimated from {found.blocks} blocks of frames."
     )
     if analysis.kind == ENSEMBLE and len(analysis.frames) < 200:
@@ -213,8 +213,8 @@ def _amplitude(analysis: Analysis) -> Verdict | None:
     reached = float(part.found.rmsf.mean())
     sentence = f"Amplitude: {asked:.2f} Å requested, {reached:.2f} Å reached."
     details = (
-        "This is the mean RMSF after superposition. It is an input: which parts move more than others is a "
-        "result, how far they move overall is not."
+        "This is the mean RMSF after superposition. It is an input: which parts move more than "
+        "others is a result, how far they move overall is not."
     )
     kind = "mixed" if reached < LEAST_REACHED * asked else "open"
     return Verdict(kind, sentence, details)

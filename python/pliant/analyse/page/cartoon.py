@@ -20,7 +20,7 @@ MOST_AT_ONCE = 500
 
 
 def secondary_structure(atoms: AtomGroup) -> str:
-    """One letter an atom for the cartoon of a protein: h, s or c, and l where it has none (ligands).
+    """One letter an atom for the cartoon of a protein: h, s or c; l where it has none.
 
     Empty if there is no protein.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The volume of pockets, frame by frame: sites of ligands, pockets of the start, those that open."""
+"""The volume of pockets, frame by frame: sites of ligands, of the start, and what opens."""
 
 from __future__ import annotations
 
