@@ -20,6 +20,7 @@ PAGES = {
     "pliant-structgen": ["structgen", "--help"],
     "pliant-forcegen": ["forcegen", "--help"],
     "pliant-order": ["order", "--help"],
+    "pliant-study": ["study", "--help"],
     "pliant-techniques": ["techniques", "--help"],
     "pliant-check": ["check", "--help"],
     "pliant-analyse": ["analyse", "--help"],

@@ -30,7 +30,7 @@ examples:
 """
 
 #: options that --help shows
-COMMON = ("--frames", "--starts", "--output", "--force-field", "--no-picture")
+COMMON = ("--thorough", "--frames", "--output", "--force-field", "--no-picture")
 
 
 def make_parser() -> console.Parser:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from pliant import console
 from pliant.analyse.freed_memory import give_back_freed_memory
 
+COMMON = ("--output", "--frames", "--smiles", "--keep", "--no-check")
 DESCRIPTION = """\
 Studies a molecule and answers, on one page: which parts are flexible, what moves together, what
 else it could look like, and what was left out. With END, another structure of the same molecule,
@@ -42,7 +43,7 @@ examples:
 
 def make_parser() -> console.Parser:
     """The options of pliant study."""
-    parser = console.Parser("study", DESCRIPTION, EPILOG)
+    parser = console.Parser("study", DESCRIPTION, EPILOG, COMMON)
     add = parser.add_argument
     add("file", metavar="FILE", nargs="?", help="molecule: PDB, mmCIF, XYZ or SDF")
     add("end", metavar="END", nargs="?", help="another structure of it, to find a path to")
