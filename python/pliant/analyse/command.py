@@ -184,9 +184,10 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
     for name, why in summary["skipped"].items():
         note(f"no {name}: {why}")
     print(f"frames          {summary['frames']}, of {summary['atoms_analysed']} atoms")
-    print(f"checks          {summary['judgement_text']}")
+    said = summary["judgement_text"]
+    print(f"checks          {said}")
     for name, one in summary["verdicts"].items():
-        if one["kind"] in ("mixed", "bad") and name != "what it is":
+        if one["kind"] in ("mixed", "bad") and name != "what it is" and one["text"] != said:
             print(f"{name:<16}{one['text']}")
     if "flexibility_mean" in summary:
         error = 2 * summary["flexibility_error_mean"]

@@ -36,7 +36,7 @@ METHODS = (
      "no pocket. Listed is what has 100 Å³ more room beside its residues than at the start, and "
      "more than the mean and two standard deviations of five frames around it."),
     ("Pocket volumes", "Room for a sphere of 1.4 Å that touches no atom, within the convex hull of "
-     "the heavy atoms that line the pocket, on a grid of 1 Å. They are within 4.5 Å of a ligand, or "
+     "the heavy atoms that line the pocket, on a 1 Å grid. They are within 4.5 Å of a ligand, or "
      "nearest to a pocket of the start (or of a frame where one opens), the same in "
      "all frames. Ligands and water are taken out. The error is the r.m.s. difference from a grid "
      "of 0.5 Å. Up to 100 frames are measured."),
