@@ -56,8 +56,8 @@ def blocks(text: str) -> Iterator[Block]:
 
 
 def fill(folder: Path) -> None:
-    """Puts into a folder what pages count on: `data`, ubiquitin where it was fetched, and structures
-    of the tests of MDAnalysis where these are installed."""
+    """Puts into a folder what pages count on: `data`, ubiquitin where it was fetched, and
+    structures of the tests of MDAnalysis where these are installed."""
     (folder / "data").symlink_to(ROOT / "data")
     if tests := find_spec("MDAnalysisTests"):
         for name in OF_MDANALYSIS:
