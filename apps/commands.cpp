@@ -26,7 +26,8 @@ constexpr std::string_view solvers = "Solvers";
 constexpr std::string_view thesis = "The thesis";
 
 constexpr Command commands[] = {
-    {moving, "study", "answer on one page: what is flexible, what moves together, what else", nullptr},
+    {moving, "study", "answer on one page: what is flexible, what moves together, what else",
+     nullptr},
     {moving, "sample", "make an ensemble of a protein, or conformers of a small molecule",
      command_sample},
     {moving, "analyse", "make an HTML report, figures and tables of a trajectory", nullptr},

@@ -18,10 +18,10 @@ from typing import Any, NoReturn, TextIO
 import numpy as np
 
 from pliant import _progress
-from pliant._command_progress import progress as progress
-from pliant._command_progress import stages as stages
 from pliant._core import Error, FileError, OptionError
 from pliant._extras import MissingPackageError, needed_by
+from pliant._progress.of_commands import progress as progress
+from pliant._progress.of_commands import stages as stages
 from pliant._said import warnings_shown_by
 
 EXIT_OK = 0

@@ -186,13 +186,13 @@ def test_walkers_that_begin_are_shown(monkeypatch, bars):
 
 
 def test_long_work_without_a_terminal_says_now_and_then_how_far_it_is(monkeypatch, capsys):
-    from pliant import _command_progress
+    from pliant._progress import of_commands
 
-    monkeypatch.setattr(_command_progress, "LINE_EVERY", 0.0)
-    with _command_progress.progress("structures", lines=True) as show:
+    monkeypatch.setattr(of_commands, "LINE_EVERY", 0.0)
+    with of_commands.progress("structures", lines=True) as show:
         show(1, 3)
         show(1, 3)
         show(3, 3)
-    with _command_progress.progress("structures") as show:
+    with of_commands.progress("structures") as show:
         show(1, 3)
     assert capsys.readouterr().err == "structures: 1 of 3\nstructures: 3 of 3\n"

@@ -11,7 +11,7 @@ import numpy as np
 
 from pliant._drawn_by import DRAWN_ALONG_MODES, around_start
 from pliant.analyse.kind import ENSEMBLE, kind_of
-from pliant.analyse.parts import Part
+from pliant.analyse.parts import Part, ReferenceStructure, Residuals
 from pliant.analysis.frame_store import AT_ONCE_BYTES, FrameStore
 
 if TYPE_CHECKING:
@@ -82,6 +82,16 @@ class Analysis:
     def notes(self) -> list[str]:
         """What a reader of the results should know."""
         return [*self.remarks, *(note for part in self.parts.values() for note in part.notes)]
+
+    @property
+    def cautions(self) -> list[str]:
+        """Those of the notes that change what is analysed: what was left out, or not found."""
+        reference, residuals = self.get(ReferenceStructure), self.get(Residuals)
+        more = [] if reference is None or reference.found else list(reference.notes)
+        if residuals is not None and residuals.measured.rounded_to:
+            unit = residuals.measured.rounded_to
+            more.append(f"bars are judged after rounding of coordinates to {unit:.1g} Angstrom")
+        return [*self.remarks, *more]
 
     @property
     def kind(self) -> str:

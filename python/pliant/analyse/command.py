@@ -173,6 +173,8 @@ def _analyse(options: argparse.Namespace) -> int:
     if options.json:
         print_json(summary)
     elif not options.quiet:
+        for text in report.analysis.cautions:
+            note(text)
         _print_summary(summary)
     return EXIT_OK
 

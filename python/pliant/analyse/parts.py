@@ -38,6 +38,7 @@ class ReferenceStructure(Part):
     positions: np.ndarray  #: (N, 3) Angstrom
     name: str  #: what it is, for readers
     note: str = ""  #: why it is this one, where that is not plain
+    found: bool = True  #: it is the one that was looked for
 
     @property
     def notes(self) -> tuple[str, ...]:

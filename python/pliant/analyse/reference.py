@@ -38,7 +38,7 @@ def reference_of(analysis: Analysis) -> ReferenceStructure:
         else:
             note = f"compared with {beside.name}, the structure beside the trajectory"
             return ReferenceStructure(positions, beside.name, note)
-    return ReferenceStructure(analysis.positions(0), "the first frame", note)
+    return ReferenceStructure(analysis.positions(0), "the first frame", note, found=not note)
 
 
 def _same_atoms(universe: Universe, path: Path) -> np.ndarray:

@@ -92,7 +92,7 @@ def _study(arguments: argparse.Namespace) -> int:
     elif not arguments.quiet:
         for text in found.sampled.facts["warnings"]:
             console.warn(text)
-        for what, answer in found.answers().items():
+        for what, answer in found.answers.items():
             print(f"{what:<14}{console.printable(answer)}")
     return console.EXIT_OK
 

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant._display import Displayed, Facts
-from pliant.study.answers import answers
 
 if TYPE_CHECKING:
     from pliant.analyse.choose_representatives import Representatives
@@ -32,25 +31,23 @@ class Study(Displayed):
     check: CheckReport | None = None  #: what OpenMM made of a few frames
     why_no_check: str = ""  #: why OpenMM was not asked
     outputs: dict[str, Any] = field(default_factory=dict)  #: paths of the files
+    #: question in a word -> its answer in a line, as `pliant study` prints them
+    answers: dict[str, str] = field(default_factory=dict)
 
     @property
     def page(self) -> Path:
         """The report page."""
         return self.folder / "report.html"
 
-    def answers(self) -> dict[str, str]:
-        """Question in a word -> its answer in a line, as `pliant study` prints them."""
-        return answers(self)
-
     def facts(self) -> Facts:
         """The answers."""
-        return list(self.answers().items())
+        return list(self.answers.items())
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
         return {
             "file": self.file,
-            "answers": self.answers(),
+            "answers": self.answers,
             "left_out": self.sampled.facts["left_out"],
             "sample": self.sampled.facts,
             "analysis": self.report.as_json(),

@@ -25,7 +25,7 @@ def additions(study: Study) -> Additions:
         tables.append(_path_table(study.path, study.end))
     if study.check is not None:
         tables.append(_check_table(study.check))
-    answers = {k: text for k, text in study.answers().items() if k not in NOT_AT_THE_HEAD}
+    answers = {k: text for k, text in study.answers.items() if k not in NOT_AT_THE_HEAD}
     files = [study.sampled.ensemble, *study.outputs.values()]
     return Additions("pliant study", answers, tables, files)
 

@@ -21,6 +21,7 @@ from pliant.analyse.stages import STAGES, analyse_trajectory
 from pliant.analyse.suite import DPI, AnalysisReport
 from pliant.analyse.write import check_folder, write_report
 from pliant.path import walk
+from pliant.study.answers import answers
 from pliant.study.sampled import sampled
 from pliant.study.studied import Study
 from pliant.study.study_page import additions
@@ -94,7 +95,7 @@ def study(
     _check_output(folder, overwrite)
     if file is None:
         file = _embedded(str(smiles), folder, seed)
-    task = _Task(file, end, folder, seed, check, quiet)
+    task = _Task(file, end, folder, seed, keep, check, quiet)
     options = _sample_options(frames, seed, keep)
     if on_stage is not None:
         return task.studied(options, on_stage)
@@ -142,11 +143,12 @@ class _Task:
         end: str | os.PathLike[str] | None,
         folder: Path,
         seed: int,
+        keep: str,
         check: bool,
         quiet: bool,
     ) -> None:
         self.file, self.end, self.folder = file, end, folder
-        self.seed, self.check, self.quiet = seed, check, quiet
+        self.seed, self.keep, self.check, self.quiet = seed, keep, check, quiet
 
     def studied(self, options: Sequence[str], on_stage: Callable[[str], None]) -> Study:
         on_stage("sampling")
@@ -167,6 +169,7 @@ class _Task:
             on_stage("representatives")
             found.representatives = self._representatives(found)
             self._check(found, on_stage)
+            found.answers = answers(found)
             on_stage("figures and page")
             report.outputs = write_report(report.analysis, self.folder, DPI, additions(found))
         return found
@@ -176,7 +179,7 @@ class _Task:
             return
         on_stage("path")
         output = self.folder / "path.h5md"
-        options = PathOptions(seed=self.seed)
+        options = PathOptions(seed=self.seed, keep=self.keep)
         found.path = walk.find(self.file, self.end, options, output, overwrite=True)
         found.end = Path(self.end).name
         found.outputs["path"] = output

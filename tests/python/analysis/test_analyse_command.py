@@ -221,7 +221,10 @@ def test_frames_that_are_no_numbers_are_left_out(tmp_path, peptide, write_run, c
     assert main([str(path), "-o", str(tmp_path / "out"), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["frames"] == 5
-    assert "1 frames hold coordinates that are not finite: left out" in found["notes"]
+    text = "1 frames hold coordinates that are not finite: left out"
+    assert text in found["notes"]
+    assert main([str(path), "-o", str(tmp_path / "out")]) == 0
+    assert f"note: {text}\n" in capsys.readouterr().err
 
 
 @without_figures

@@ -198,7 +198,7 @@ def test_b_factors_and_frames_in_pdb_files(folder, universe):
     np.testing.assert_allclose(b_factors(rmsf), expected)
     written = [residue.atoms.tempfactors for residue in coloured.residues]
     for values, one in zip(written, expected, strict=True):
-        np.testing.assert_allclose(values, min(one, 999.99), atol=0.006)
+        np.testing.assert_allclose(values, min(one, 999.99), atol=0.01)
     played = MDAnalysis.Universe(folder / "out" / "ensemble.pdb")
     assert len(played.trajectory) == 25
     head = (folder / "out" / "ensemble.pdb").read_text().split("MODEL")[0]
@@ -215,8 +215,8 @@ def test_the_page_says_what_the_tables_hold(folder, report):
     text = html.unescape((folder / "out" / "report.html").read_text(encoding="utf-8"))
     rmsf = column(folder, "flexibility", "rmsf_angstrom")
     assert f"{rmsf.max():.3f}" in text
-    assert f"reached {rmsf.mean():.2f} Å" in text
-    assert "asked 1.40 Å" in text
+    assert f"{rmsf.mean():.2f} Å reached" in text
+    assert "1.40 Å requested" in text
     as_json = report.as_json()
     assert as_json["frames_are"] == "ensemble"
     assert f"correlate by {as_json['halves_correlation']:.3f}" in text
@@ -301,8 +301,8 @@ def test_frames_drawn_again_are_named(folder, report, tmp_path, frames, kind):
     assert verdict == {"kind": kind, "text": f"{len(frames)} of 200 frames had to be redrawn."}
     page = html.unescape((tmp_path / "out" / "report.html").read_text(encoding="utf-8"))
     named = ", ".join(map(str, list(frames)[:10]))
-    assert f"The first draws of frames {named}" in page
-    assert "These frames took 3 draws at most" in page
+    assert f"The first attempts at frames {named}" in page
+    assert "each took up to 3 attempts" in page
 
 
 def test_nothing_is_said_of_draws_where_the_file_says_nothing(folder, report, tmp_path):

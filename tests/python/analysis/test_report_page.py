@@ -246,7 +246,7 @@ def test_large_trajectories_are_thinned_and_the_page_says_so(report):
     assert small["trace_only"] is True
     assert len(small["frames"]) < 30
     assert {small["frames"][0], small["frames"][-1]} == {0, 29}
-    assert small["notes"] == ["the CA and P atoms only", f"{len(small['frames'])} of 30 frames"]
+    assert small["notes"] == [f"{len(small['frames'])} of the 30 frames", "the CA and P atoms only"]
 
 
 def test_names_cannot_break_out_of_the_page(folder, pentane, write_run):

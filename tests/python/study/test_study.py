@@ -44,13 +44,13 @@ def test_the_answers_are_at_the_head_of_the_page(studied):
     head = page.index('<section class="answers card">')
     assert head < page.index('<section class="verdict card')
     assert page.index("pliant study") < head
-    for what, answer in studied.answers().items():
+    for what, answer in studied.answers.items():
         assert what in ("verdict", "page") or f"<td>{what}</td>" in page, answer
     assert '<a href="representatives.pdb">' in page
 
 
 def test_what_is_flexible_and_what_was_left_out_is_said(studied):
-    said = studied.answers()
+    said = studied.answers
     assert list(said) == [
         *("molecule", "left out", "flexible", "together", "other shapes"),
         *("MD starts", "verdict", "page"),
@@ -100,6 +100,7 @@ def test_conformers_of_a_small_molecule_are_studied(tmp_path, capsys):
     assert "MD starts" not in said and "an input" not in said["flexible"]
 
 
+@pytest.mark.long
 def test_openmm_looks_at_a_few_frames(tmp_path, capsys):
     pytest.importorskip("openmm")
     words = [str(PEPTIDE), "-o", str(tmp_path / "out"), "--frames", "8"]

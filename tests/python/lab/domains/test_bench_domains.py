@@ -75,6 +75,7 @@ def test_contradictions_are_pairs_together_here_and_apart_there():
     assert contradicted([one, np.array([0, -1, 1, 0, 0])]) == 2
 
 
+@pytest.mark.long
 def test_the_command_measures_a_pair_and_a_structure_alone(tmp_path, capsys):
     import MDAnalysis
 
