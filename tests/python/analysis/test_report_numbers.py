@@ -219,7 +219,7 @@ def test_the_page_says_what_the_tables_hold(folder, report):
     assert "1.40 Å requested" in text
     as_json = report.as_json()
     assert as_json["frames_are"] == "ensemble"
-    assert f"correlate by {as_json['halves_correlation']:.3f}" in text
+    assert f"correlate at {as_json['halves_correlation']:.3f}" in text
     shares = [float(row["explained"]) for row in rows(folder, "pca")]
     for share in shares[:5]:
         assert f"{100 * share:.1f} %" in text
