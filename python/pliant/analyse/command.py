@@ -193,7 +193,7 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
             print(f"{name:<16}{one['text']}")
     if "flexibility_mean" in summary:
         error = 2 * summary["flexibility_error_mean"]
-        print(f"flexibility     {summary['flexibility_mean']:.2f} ± {error:.2g} Å (mean RMSF)")
+        print(f"flexibility     {summary['flexibility_mean']:.2f} ± {error:.1g} Å (mean RMSF)")
     for name in ("domains", "other shapes"):
         if name in summary["verdicts"]:
             print(f"{name:<16}{summary['verdicts'][name]['text']}")
