@@ -12,7 +12,7 @@ from pliant.analyse.parts import Units
 from pliant.analysis.rotatable import is_hydrogen
 
 if TYPE_CHECKING:
-    from MDAnalysis import AtomGroup
+    from MDAnalysis import AtomGroup, Universe
 
     from pliant.analyse.analysis import Analysis
 
@@ -46,10 +46,27 @@ def units_of(analysis: Analysis) -> Units:
 
 
 def trace_atoms(atoms: AtomGroup) -> AtomGroup:
-    """CA of amino acids and P of nucleotides; nothing where atoms or residues have no names."""
+    """CA of amino acids and P of nucleotides; nothing where atoms or residues have no names.
+
+    Modified residues, whose names MDAnalysis may not know, count if their N or C is bonded to
+    another residue: "A:CSO67".
+    """
     if not hasattr(atoms, "names") or not hasattr(atoms, "resnames"):
         return atoms[:0]
-    return atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
+    known = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
+    others = atoms.select_atoms("name CA and not protein and not nucleic")
+    if len(known) == 0 or len(others) == 0 or not hasattr(atoms.universe, "bonds"):
+        return known
+    return known | others[np.isin(others.resindices, _linked(atoms.universe))]
+
+
+def _linked(universe: Universe) -> np.ndarray:
+    """Numbers of residues whose N or C has a bond to the C or N of another residue."""
+    ends = universe.bonds.indices
+    owners, names = universe.atoms.resindices[ends], universe.atoms.names[ends]
+    peptide = np.sort(names, axis=1) == np.array(["C", "N"], dtype=object)
+    found: np.ndarray = owners[peptide.all(axis=1) & (owners[:, 0] != owners[:, 1])]
+    return np.unique(found)
 
 
 def trace_of(atoms: AtomGroup) -> AtomGroup:
