@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from pliant.check.force_field.minimised import ForceFieldReport
+from pliant.check.force_field.minimised import ForceFieldReport, listed
 from pliant.check.recording import Recording
 from pliant.console import counted
 
@@ -22,7 +22,7 @@ class Coverage:
     @property
     def without(self) -> str:
         """ "2 CSO, 1 XK2"; "" where nothing was left out."""
-        return ", ".join(f"{count} {name}" for name, count in sorted(self.left_out.items()))
+        return listed(self.left_out)
 
     @property
     def text(self) -> str:

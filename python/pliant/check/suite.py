@@ -133,9 +133,9 @@ def check(
     report.findings.insert(0, check_record(recording, remeasured))
     usual = THOROUGH if thorough else QUICK
     wanted = Wanted(
-        usual["starts"] if starts is None else starts,
-        usual["long_starts"] if long_starts is None else long_starts,
-        usual["md_steps"] if md_steps is None else md_steps,
+        usual.starts if starts is None else starts,
+        usual.long_starts if long_starts is None else long_starts,
+        usual.md_steps if md_steps is None else md_steps,
         start,
         time_limit,
         total_limit,

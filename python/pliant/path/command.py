@@ -9,7 +9,7 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from pliant import console
 from pliant._core import OptionError, PathOptions, path_rows, read
@@ -17,18 +17,11 @@ from pliant._output_names import check_trajectory_name
 from pliant._said import notes_shown_by
 
 if TYPE_CHECKING:
-    from pliant.path.found import MolecularPath, PathFrame, TightPlace
+    from pliant.path.found import MolecularPath
 
 EXIT_SHORT = 3  #: the end was not reached
 
 ATTEMPTS = 10  #: of --backtrack without a number
-
-#: what is printed of a frame and of a tight place, in this order
-FRAME = (
-    *("step", "to_end", "from_start", "lost", "made", "max_residual", "held_off", "overlap"),
-    "tightest",
-)
-PLACE = ("atoms", "overlap", "step", "frames")
 
 EPILOG = """\
 Residues are matched by chain and number, else by sequence. Contacts that both structures have are
@@ -56,13 +49,9 @@ examples:
 COMMON = ("--output", "--atoms", "--both", "--backtrack", "--csv")
 
 
-def _row(of: PathFrame | TightPlace, names: Sequence[str]) -> dict[str, Any]:
-    return {name: getattr(of, name) for name in names}
-
-
 def write_table(path: MolecularPath, file: str | os.PathLike[str]) -> None:
     """One line a frame, as CSV."""
-    rows = [_row(frame, FRAME) for frame in path.frames]
+    rows = path.as_json()["frames"]
     with Path(file).open("w", newline="", encoding="utf-8") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
@@ -116,7 +105,7 @@ def _path(arguments: argparse.Namespace) -> int:
     if arguments.csv:
         write_table(path, arguments.csv)
     if arguments.json:
-        console.print_json(_facts(path, arguments.output))
+        console.print_json({"output": arguments.output, **path.as_json()})
     else:
         _print(path, arguments.output)
     return console.EXIT_OK if path.arrived else EXIT_SHORT
@@ -131,28 +120,6 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
     names = [n for n in (arguments.start, arguments.end, arguments.output, arguments.csv) if n]
     if len({os.path.realpath(name) for name in names}) < len(names):
         raise OptionError("two of the files are one: START, END, --output and --csv must differ")
-
-
-def _facts(path: MolecularPath, output: str) -> dict[str, Any]:
-    return {
-        "output": output,
-        "arrived": path.arrived,
-        "rmsd_at_start": path.frames[0].to_end,
-        "rmsd_reached": path.reached,
-        "atoms": path.atoms,
-        "residues_matched": path.matched,
-        "contacts_held": path.held,
-        "contacts_of_start": path.only_start,
-        "contacts_of_end": path.only_end,
-        "worst_residual": max(frame.max_residual for frame in path.frames),
-        "attempts": path.attempts,
-        "turned": path.turned,
-        "tightest": [_row(place, PLACE) for place in path.tight_places()],
-        "seconds": path.seconds,
-        "notes": path.notes,
-        "left_out": path.model.left_out,
-        "frames": [_row(frame, FRAME) for frame in path.frames],
-    }
 
 
 def _print(path: MolecularPath, output: str) -> None:

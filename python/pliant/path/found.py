@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, cast
 
@@ -14,6 +15,18 @@ from pliant._trajectory.frames import FramesInMemory
 from pliant._trajectory.trajectory import HasFrames, Trajectory
 
 __all__ = ["MolecularPath", "PathFrame", "TightPlace"]
+
+
+#: what JSON and tables have of a frame and of a tight place, in this order
+FRAME = (
+    *("step", "to_end", "from_start", "lost", "made", "max_residual", "held_off", "overlap"),
+    "tightest",
+)
+PLACE = ("atoms", "overlap", "step", "frames")
+
+
+def _row(of: PathFrame | TightPlace, names: Sequence[str]) -> dict[str, Any]:
+    return {name: getattr(of, name) for name in names}
 
 
 @dataclass
@@ -66,6 +79,27 @@ class MolecularPath(HasFrames, Displayed):
             *(("tightest", text) for text in tight),
             *(("note", note) for note in self.notes),
         ]
+
+    def as_json(self) -> dict[str, Any]:
+        """How far it came, what had to give way, and a row for each frame."""
+        return {
+            "arrived": self.arrived,
+            "rmsd_at_start": self.frames[0].to_end,
+            "rmsd_reached": self.reached,
+            "atoms": self.atoms,
+            "residues_matched": self.matched,
+            "contacts_held": self.held,
+            "contacts_of_start": self.only_start,
+            "contacts_of_end": self.only_end,
+            "worst_residual": max(frame.max_residual for frame in self.frames),
+            "attempts": self.attempts,
+            "turned": self.turned,
+            "tightest": [_row(place, PLACE) for place in self.tight_places()],
+            "seconds": self.seconds,
+            "notes": self.notes,
+            "left_out": self.model.left_out,
+            "frames": [_row(frame, FRAME) for frame in self.frames],
+        }
 
     def tight_places(self, count: int = 3) -> list[TightPlace]:
         """Pairs of atoms that are the nearest of a frame, the most overlapping first."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant.analyse.domains.domain_texts import domain_rows, domain_verdict
+from pliant.analyse.domains.domain_texts import domain_line, domain_verdict
 from pliant.analyse.parts import RigidDomains, Torsions, UnitFlexibility, Units
 from pliant.analyse.shapes.other_shapes import OtherShapes
 from pliant.analyse.shapes.shape_texts import turns_text
@@ -90,13 +90,8 @@ def _together(analysis: Analysis) -> str:
     verdict = domain_verdict(analysis)
     if verdict is None:
         return "not known: too few residues, or nothing moves"
-    if analysis[RigidDomains].found.count < 2:
-        return verdict.sentence
-    rows = [row for row in domain_rows(analysis) if row[2]]
-    domains = [f"{where} ({share})" for what, where, share in rows if what.isdigit()]
-    hinges = [f"{where} ({share})" for what, where, share in rows if what == "hinge"]
-    found = f"{len(domains)} domains (share of resamples): {'; '.join(domains)}"
-    return found + (f"; hinge {', '.join(hinges)}" if hinges else "")
+    several = analysis[RigidDomains].found.count > 1
+    return domain_line(analysis) if several else verdict.sentence
 
 
 def _other_shapes(analysis: Analysis) -> str:

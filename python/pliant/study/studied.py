@@ -52,24 +52,8 @@ class Study(Displayed):
             "sample": self.sampled.facts,
             "analysis": self.report.as_json(),
             "representatives": self.representatives and self.representatives.as_json(),
-            "path": None if self.path is None else path_facts(self.path),
+            "path": None if self.path is None else self.path.as_json(),
             "check": None if self.check is None else self.check.as_json(),
             "why_no_check": self.why_no_check,
             "outputs": {name: str(path) for name, path in self.outputs.items()},
         }
-
-
-def path_facts(path: MolecularPath) -> dict[str, Any]:
-    """How far a path came, and what had to give way."""
-    last = path.frames[-1]
-    return {
-        "arrived": path.arrived,
-        "rmsd_at_start": path.frames[0].to_end,
-        "rmsd_reached": path.reached,
-        "frames": len(path.frames),
-        "residues_matched": path.matched,
-        "contacts_held": path.held,
-        "contacts_lost": last.lost,
-        "contacts_made": last.made,
-        "notes": path.notes,
-    }

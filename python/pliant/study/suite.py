@@ -7,6 +7,7 @@ import contextlib
 import os
 import warnings
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -134,21 +135,17 @@ def _sample_options(frames: int | None, seed: int, keep: str) -> list[str]:
     return options + ([] if not keep else ["--keep", keep])
 
 
+@dataclass(frozen=True)
 class _Task:
     """The stages, in their order."""
 
-    def __init__(
-        self,
-        file: str | os.PathLike[str],
-        end: str | os.PathLike[str] | None,
-        folder: Path,
-        seed: int,
-        keep: str,
-        check: bool,
-        quiet: bool,
-    ) -> None:
-        self.file, self.end, self.folder = file, end, folder
-        self.seed, self.keep, self.check, self.quiet = seed, keep, check, quiet
+    file: str | os.PathLike[str]
+    end: str | os.PathLike[str] | None
+    folder: Path
+    seed: int
+    keep: str
+    check: bool
+    quiet: bool
 
     def studied(self, options: Sequence[str], on_stage: Callable[[str], None]) -> Study:
         on_stage("sampling")

@@ -257,9 +257,9 @@ def test_the_verdict_says_first_what_it_does_not_cover(peptide, start, sampled):
 
 
 def test_a_quick_look_is_at_few_frames():
-    assert Wanted(**QUICK).starts_of(1231) == 5
-    assert Wanted(**QUICK).starts_of(3100) == 3
-    assert Wanted(**THOROUGH).starts_of(3100) == 20
+    assert QUICK.starts_of(1231) == 5
+    assert QUICK.starts_of(3100) == 3
+    assert THOROUGH.starts_of(3100) == 20
     assert Wanted(starts="all").starts_of(3100) == "all"
 
 

@@ -58,13 +58,25 @@ def domain_rows(analysis: Analysis) -> list[Sequence[str]]:
     for k, share in enumerate(found.found):
         rows.append((f"{k + 1}", _text(analysis, part.of_unit == k), _percent(share)))
     for hinge in found.hinges:
-        before, after, site = _ends(analysis, hinge)
-        where = f"between {before} and {after}, most often at {site}"
-        rows.append(("hinge", where, _percent(hinge.share)))
+        rows.append(("hinge", _hinge_text(analysis, hinge), _percent(hinge.share)))
     for sites, share in found.undecided:
         some = np.isin(np.arange(len(part.of_unit)), part.units_of(sites))
         rows.append(("undecided", _text(analysis, some), _percent(share)))
     return [*rows, ("how many", numbers_text(analysis), "")]
+
+
+def domain_line(analysis: Analysis) -> str:
+    """Domains and hinges of a molecule that has several, in one line."""
+    part = analysis[RigidDomains]
+    domains = "; ".join(
+        f"{_text(analysis, part.of_unit == k)} ({_percent(share)})"
+        for k, share in enumerate(part.found.found)
+    )
+    hinges = ", ".join(
+        f"{_hinge_text(analysis, hinge)} ({_percent(hinge.share)})" for hinge in part.found.hinges
+    )
+    line = f"{part.found.count} domains (share of resamples): {domains}"
+    return line + (f"; hinge {hinges}" if hinges else "")
 
 
 def domain_json(analysis: Analysis) -> dict[str, Any]:
@@ -97,6 +109,11 @@ def stretches(analysis: Analysis, some: np.ndarray) -> list[list[str]]:
 
 def _text(analysis: Analysis, some: np.ndarray) -> str:
     return ", ".join(f"{first} to {last}" for first, last in stretches(analysis, some))
+
+
+def _hinge_text(analysis: Analysis, hinge: Hinge) -> str:
+    before, after, site = _ends(analysis, hinge)
+    return f"between {before} and {after}, most often at {site}"
 
 
 def _ends(analysis: Analysis, hinge: Hinge) -> list[str]:

@@ -8,7 +8,6 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TypedDict
 
 import numpy as np
 
@@ -23,15 +22,6 @@ from pliant.check.force_field.molecule import Molecule, molecule_of, why_not
 from pliant.check.sample import NM, choose_frames
 from pliant.console import counted
 
-
-class Amounts(TypedDict):
-    """Of `Wanted`: frames, frames minimised for longer, steps of MD."""
-
-    starts: int | str | None
-    long_starts: int
-    md_steps: int
-
-
 MD_FRAMES = 3
 MD_STEP = 0.004  #: ps
 
@@ -39,11 +29,6 @@ MD_STEP = 0.004  #: ps
 #: residues
 QUICK_STARTS = (5, 3)
 SMALL = 2000  #: atoms
-
-
-#: what is minimised by default, and by a thorough check
-QUICK: Amounts = {"starts": None, "long_starts": 0, "md_steps": 0}
-THOROUGH: Amounts = {"starts": 20, "long_starts": 3, "md_steps": 250}
 
 
 @dataclass(frozen=True)
@@ -60,6 +45,11 @@ class Wanted:
     def starts_of(self, atoms: int) -> int | str:
         """`starts`, or as many as a quick look has for a molecule of so many atoms."""
         return QUICK_STARTS[atoms > SMALL] if self.starts is None else self.starts
+
+
+#: what is minimised by default, and by a thorough check
+QUICK = Wanted()
+THOROUGH = Wanted(starts=20, long_starts=3, md_steps=250)
 
 
 def why_not_file(path: str) -> str:

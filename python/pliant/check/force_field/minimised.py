@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -62,7 +62,7 @@ class ForceFieldReport:
     @property
     def without(self) -> str:
         """ "1 XK2, 2 CSO": what was left out; "" if nothing was."""
-        return ", ".join(f"{count} {name}" for name, count in sorted(self.left_out.items()))
+        return listed(self.left_out)
 
     @property
     def usable(self) -> list[Minimised]:
@@ -104,6 +104,11 @@ class ForceFieldReport:
             for found in [self.above_start([structure], steps)]
         }
         return {**vars(structure), "above_start": above}
+
+
+def listed(left_out: Mapping[str, int]) -> str:
+    """ "2 CSO, 1 XK2", of the names of what was left out."""
+    return ", ".join(f"{count} {name}" for name, count in sorted(left_out.items()))
 
 
 def handedness(positions: np.ndarray, corners: np.ndarray) -> np.ndarray:
