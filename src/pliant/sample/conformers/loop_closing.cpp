@@ -77,9 +77,9 @@ void LoopClosing::open(RandomSequence& draws, TorsionDraw how) {
 /// How much a torsion is turned: to one that is usual for its bond, or by any angle; esters stay as
 /// they are.
 Turn LoopClosing::opened(const LoopTorsion& torsion, RandomSequence& draws, TorsionDraw how) const {
-  if (torsion.kind == BondTurn::ester) return drawn_jitter(draws, torsion.kind);
+  if (torsion.kind == BondTurn::ester) return drawn_jitter(draws);
   if (how == TorsionDraw::uniform) return drawn_angle(draws);
-  return drawn_in_loop(draws, torsion.kind) * back(torsion_now(torsion));
+  return drawn_usual(draws, torsion.kind) * back(torsion_now(torsion));
 }
 
 /// Adds the equations of gaps; returns the widest gap.

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Draws torsions of bonds: uniformly, or, by kind of bond, near those that are usual in small
-// molecules (C. Schaerfer et al., J. Med. Chem. 56 (2013) 2016; S. Riniker, G. A. Landrum, J. Chem.
-// Inf. Model. 55 (2015) 2562).
+// molecules, and says how much energy a torsion costs.
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 #include "pliant/base/random.hpp"
-#include "pliant/sample/rings/bond_chemistry.hpp"
+#include "pliant/sample/conformers/bond_turns.hpp"
 
 namespace pliant {
 
@@ -17,36 +15,6 @@ enum class TorsionDraw : std::uint8_t {
   uniform,    ///< each from the whole circle
   preferred,  ///< near a usual one for this kind of bond
 };
-
-/// Kinds of bonds that turn, with their usual torsions in degrees. Flat groups are aryl rings and
-/// planar nitrogen without hydrogen.
-enum class BondTurn : std::uint8_t {
-  any,            ///< unknown: multiples of 30
-  staggered,      ///< between two sp3 atoms: 60, 180, 300
-  ester,          ///< O=C-O-R: as in the structure (Z, unless the file has E)
-  in_plane,       ///< aryl - O: 0, 180
-  flanked,        ///< aryl - O with neighbours on both sides: 0, 90, 180, 270
-  near_plane,     ///< aryl - N, aryl - C=O: 0, 180 and 30 from these
-  off_plane,      ///< aryl - N with neighbours on both sides: all but 0 and 180
-  flat_primary,   ///< flat - CH2R: 90, 270
-  flat_branched,  ///< aryl - CHR2: 60, 120, 240, 300, hydrogen near the plane
-  beside_acyl,    ///< O or N of ester or amide - sp3: 90, 180, 270
-};
-
-/// One row of the table of kinds.
-struct BondTurnEntry {
-  BondTurn kind;
-  std::string_view name;
-  std::uint16_t multiples;  ///< bit k: k times 30 degrees is usual
-  double half_tangent;      ///< tangent of half of the largest deviation
-};
-
-const BondTurnEntry& entry(BondTurn kind);
-
-/// The kind of the bond a - b.
-BondTurn turn_of(const BondChemistry& chemistry, Joint a, Joint b);
-/// Its kind in a large ring, where esters differ from amides.
-BondTurn turn_in_loop(const BondChemistry& chemistry, Joint a, Joint b);
 
 /// cos and sin of an angle.
 struct Turn {
@@ -59,15 +27,19 @@ inline Turn back(Turn turn) { return {turn.cosine, -turn.sine}; }
 
 /// A uniformly distributed angle.
 Turn drawn_angle(RandomSequence& draws);
-/// A random deviation that the kind allows.
-Turn drawn_jitter(RandomSequence& draws, BondTurn kind);
+/// A random deviation of up to 12 degrees.
+Turn drawn_jitter(RandomSequence& draws);
 /// The angle whose half has the tangent t.
 Turn of_half_tangent(double t);
 /// The usual torsion of a kind that is nearest to `torsion`; `torsion` itself if there is none.
 Turn nearest_usual(Turn torsion, BondTurn kind);
-/// A random usual torsion of a kind other than `ester`.
+/// A random torsion of a kind other than `ester`: one of its peaks, with probability exp(-E / 1
+/// kcal/mol), which is softer than in crystals, and a deviation of up to 1.5 widths.
 Turn drawn_usual(RandomSequence& draws, BondTurn kind);
-/// The same in a large ring, where half of the torsions between sp3 atoms are 180 degrees.
-Turn drawn_in_loop(RandomSequence& draws, BondTurn kind);
+
+/// The energy of a torsion in kcal/mol, smooth, the lowest of its kind 0, at most about 5: -RT ln of
+/// the sum of the peaks, each with weight exp(-E / RT) and its width (von Mises). 0 for kinds `any`
+/// and `ester`. The torsion is that of BondChemistry::reference() on both sides, as of a Rotor.
+double torsion_energy(BondTurn kind, Turn torsion);
 
 }  // namespace pliant

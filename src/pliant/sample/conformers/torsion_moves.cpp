@@ -29,7 +29,7 @@ std::optional<Turn> torsion(Vec3 i, Vec3 a, Vec3 b, Vec3 j) {
 
 /// The turn from where a torsion is to a usual one; where three atoms lie on a line there is none.
 Turn usual_turn(const Rotor& rotor, RandomSequence& draws, std::span<const Vec3> x) {
-  if (rotor.kind == BondTurn::ester) return drawn_jitter(draws, rotor.kind);
+  if (rotor.kind == BondTurn::ester) return drawn_jitter(draws);
   const Turn wanted = drawn_usual(draws, rotor.kind);
   const auto now = torsion(x[rotor.beyond_a], x[rotor.a], x[rotor.b], x[rotor.beyond_b]);
   return now ? wanted * back(*now) : wanted;

@@ -33,8 +33,10 @@ BondChemistry::BondChemistry(const Framework& framework, std::span<const Vec3> s
   }
   bonds_ = Graph(framework.joint_count(), edges_);
   const Blocks blocks = find_blocks(bonds_);
-  for (std::size_t edge = 0; edge < edges_.size(); ++edge)
-    if (!blocks.is_bridge[edge]) is_in_ring_[edges_[edge].a] = is_in_ring_[edges_[edge].b] = true;
+  for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
+    is_ring_bond_.push_back(!blocks.is_bridge[edge]);
+    if (is_ring_bond_[edge]) is_in_ring_[edges_[edge].a] = is_in_ring_[edges_[edge].b] = true;
+  }
 }
 
 std::uint8_t BondChemistry::element(Joint atom) const {
@@ -59,12 +61,23 @@ bool BondChemistry::spins_alike(Joint from, Joint atom) const {
 
 Joint BondChemistry::reference(Joint atom, Joint except) const {
   Joint found = atom;
+  int best = -1;
   for (const Link& bond : bonds_at(atom)) {
     if (bond.node == except) continue;
-    if (!is_hydrogen(bond.node)) return bond.node;
-    if (found == atom) found = bond.node;
+    const int here = rank_of(bond);
+    if (here <= best) continue;
+    best = here;
+    found = bond.node;
   }
   return found;
+}
+
+int BondChemistry::rank_of(const Link& bond) const {
+  if (is_hydrogen(bond.node)) return 0;
+  const std::size_t count = bonds_at(bond.node).size();
+  if (count == 1) return 1;
+  if (!is_ring_bond_[bond.edge]) return is_acyl(bond.node) || element(bond.node) == 16 ? 3 : 2;
+  return is_nitrogen(bond.node) && count == 2 ? 5 : 4;
 }
 
 std::vector<std::vector<Bar>> BondChemistry::ring_blocks() const {

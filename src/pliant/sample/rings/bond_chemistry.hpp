@@ -21,6 +21,8 @@ class BondChemistry {
   BondChemistry(const Framework& framework, std::span<const Vec3> start);
 
   std::span<const Link> bonds_at(Joint atom) const { return bonds_.at(atom); }
+  /// Atomic number; 0 without atoms.
+  std::uint8_t element(Joint atom) const;
   bool is_hydrogen(Joint atom) const { return element(atom) == 1; }
   bool is_oxygen(Joint atom) const { return element(atom) == 8; }
   bool is_nitrogen(Joint atom) const { return element(atom) == 7; }
@@ -40,8 +42,9 @@ class BondChemistry {
   /// Whether its bonds lie in a plane, or it is nitrogen or oxygen of an amide or ester, which
   /// files may show less flat than it is.
   bool is_conjugated(Joint atom) const;
-  /// The neighbour of `atom`, other than `except`, that torsions refer to: no hydrogen if possible;
-  /// `atom` itself if there is no neighbour.
+  /// The neighbour of `atom`, other than `except`, that torsions refer to; `atom` itself if there is
+  /// none. Rather one of the same ring than another (N without hydrogen first), then C=O and S, then
+  /// what has other neighbours, and hydrogen last.
   Joint reference(Joint atom, Joint except) const;
   /// Rings of five atoms or more, in the order of their lowest atoms.
   std::vector<SimpleRing> simple_rings() const;
@@ -66,7 +69,7 @@ class BondChemistry {
   bool is_amine(Joint atom) const;
 
  private:
-  std::uint8_t element(Joint atom) const;
+  int rank_of(const Link& bond) const;
   bool is_in_ring_of_three(Joint atom) const;
   bool is_beside_acyl(Joint atom) const;
   static SimpleRing in_order(const std::vector<Bar>& edges);
@@ -76,6 +79,7 @@ class BondChemistry {
   std::vector<Bar> edges_;
   Graph bonds_;
   std::vector<bool> is_in_ring_;
+  std::vector<bool> is_ring_bond_;  ///< (bonds)
 };
 
 }  // namespace pliant

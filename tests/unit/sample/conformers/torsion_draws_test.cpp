@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace pliant {
 namespace torsion_draws_test {
@@ -18,12 +19,13 @@ double degrees(Turn turn) {
 
 Turn of(double angle) { return {std::cos(angle * degree), std::sin(angle * degree)}; }
 
-/// From the nearest multiple of 30 degrees of a kind that is usual.
+/// From the nearest peak, in its widths.
 double off_usual(double angle, const BondTurnEntry& row) {
   double least = 180.0;
-  for (int k = 0; k < 12; ++k)
-    if ((row.multiples >> k & 1) != 0)
-      least = std::min(least, std::abs(std::remainder(angle - 30.0 * k, 360.0)));
+  for (const TorsionPeak& peak : row.peaks)
+    for (const double sign : {-1.0, 1.0})
+      least = std::min(least, std::abs(std::remainder(angle - sign * peak.angle, 360.0)) /
+                                  peak.width);
   return least;
 }
 
@@ -34,25 +36,38 @@ TEST(TorsionDraws, TurnsAddUp) {
 }
 
 TEST(TorsionDraws, UsualOnesLieWhereTheTableSaysAndReachAllOfIt) {
-  for (const BondTurn kind :
-       {BondTurn::any, BondTurn::staggered, BondTurn::in_plane, BondTurn::flanked,
-        BondTurn::near_plane, BondTurn::off_plane, BondTurn::flat_primary, BondTurn::flat_branched,
-        BondTurn::beside_acyl}) {
-    const BondTurnEntry& row = entry(kind);
+  for (const BondTurnEntry& row : bond_turns()) {
     SCOPED_TRACE(row.name);
-    const double reach = 2.0 * std::atan(row.half_tangent) / degree;
+    EXPECT_EQ(row.name, entry(row.kind).name);
+    if (row.kind == BondTurn::ester) continue;
     RandomSequence draws({.seed = 3});
-    double furthest = 0.0;
-    std::uint16_t seen = 0;
-    for (int k = 0; k < 400; ++k) {
-      const double angle = degrees(drawn_usual(draws, kind));
-      furthest = std::max(furthest, off_usual(angle, row));
-      seen = static_cast<std::uint16_t>(seen | 1u << std::lround(angle / 30.0) % 12);
+    std::vector<int> seen(row.peaks.size());
+    for (int k = 0; k < 1000; ++k) {
+      const double angle = degrees(drawn_usual(draws, row.kind));
+      EXPECT_LE(off_usual(angle, row), 1.5 + 1e-9);
+      for (std::size_t m = 0; m < seen.size(); ++m)
+        if (off_usual(angle, {row.kind, row.name, row.peaks.subspan(m, 1)}) < 1.5) ++seen[m];
     }
-    EXPECT_LE(furthest, reach + 1e-9);
-    EXPECT_GT(furthest, 0.9 * std::min(reach, 15.0));
-    EXPECT_EQ(seen & row.multiples, row.multiples);
+    for (const int count : seen) EXPECT_GT(count, 0);
   }
+}
+
+TEST(TorsionDraws, EnergiesAreLowestAtPeaksAndRiseBetween) {
+  for (const BondTurnEntry& row : bond_turns()) {
+    SCOPED_TRACE(row.name);
+    double lowest = 9.0;
+    for (int angle = -180; angle < 180; ++angle) {
+      const double energy = torsion_energy(row.kind, of(angle));
+      lowest = std::min(lowest, energy);
+      EXPECT_LT(energy, 6.5);
+      EXPECT_NEAR(energy, torsion_energy(row.kind, of(-angle)), 1e-9);
+      EXPECT_NEAR(energy, torsion_energy(row.kind, of(angle + 1)), 0.5);
+    }
+    EXPECT_NEAR(lowest, 0.0, 0.01);
+  }
+  EXPECT_NEAR(torsion_energy(BondTurn::alkyl, of(64)), 0.9, 0.02);
+  EXPECT_GT(torsion_energy(BondTurn::biaryl_flanked, of(0)), 3.0);
+  EXPECT_EQ(torsion_energy(BondTurn::any, of(17)), 0.0);
 }
 
 TEST(TorsionDraws, AnglesAreAnyEvenly) {
@@ -69,17 +84,8 @@ TEST(TorsionDraws, AnglesAreAnyEvenly) {
 TEST(TorsionDraws, TheNearestUsualOne) {
   EXPECT_NEAR(degrees(nearest_usual(of(75), BondTurn::staggered)), 60.0, 1e-9);
   EXPECT_NEAR(degrees(nearest_usual(of(121), BondTurn::staggered)), 180.0, 1e-9);
-  EXPECT_NEAR(degrees(nearest_usual(of(359), BondTurn::flat_primary)), 270.0, 1e-9);
+  EXPECT_NEAR(degrees(nearest_usual(of(300), BondTurn::biaryl_flanked)), 295.0, 1e-9);
   EXPECT_NEAR(degrees(nearest_usual(of(77), BondTurn::ester)), 77.0, 1e-9);
-}
-
-/// Of torsions between sp3 atoms in large rings half are 180 degrees.
-TEST(TorsionDraws, LargeRingsAreWide) {
-  RandomSequence draws({.seed = 5});
-  int wide = 0;
-  for (int k = 0; k < 2000; ++k)
-    wide += std::abs(degrees(drawn_in_loop(draws, BondTurn::staggered)) - 180.0) < 30.0 ? 1 : 0;
-  EXPECT_NEAR(wide, 1000, 5 * std::sqrt(500.0));
 }
 
 }  // namespace torsion_draws_test
