@@ -19,7 +19,7 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
                                               const SampledSystem& system) {
   if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
   const Framework& framework = system.framework;
-  const AmideTurns amides = amide_turns(settings.sample);
+  const AmideTurns amides = amide_turns(settings.sample.turn_amides);
   const auto plan = conformer_plan(framework, system.start, amides);
   if (!plan) return std::nullopt;
   const TorsionMoves moves(framework, *plan, system.start, amides);

@@ -36,7 +36,8 @@ struct Pair {
 };
 
 /// Pairs that are nearer at the start keep the distance that they have there; heavy atoms of
-/// conformers come nearer where they are four bonds apart, but none more than that to 2.68 Angstrom.
+/// conformers come nearer where they are four bonds apart, but none more than that to 2.68
+/// Angstrom.
 std::vector<Pair> pairs_of(const MolecularModel& model, bool is_soft) {
   const Sterics table = molecular_sterics(model.structure, false);
   const AtomGraph graph(model.structure);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+#include "pliant/sample/conformers/bond_turn_kinds.hpp"
 
-#include "pliant/sample/conformers/bond_turns.hpp"
+#include <algorithm>
+#include <utility>
 
 namespace pliant {
 namespace {
@@ -124,12 +125,10 @@ class TurnKinds {
     const bool is_secondary = beside(to, aryl, [&](Joint at) {
                                 return element(at) == nitrogen && bears_hydrogen(at);
                               }) > 0;
-    const bool has_nitrogen = beside(aryl, to, [&](Joint at) {
-                                return element(at) == nitrogen && bonds(at) == 2;
-                              }) > 0;
+    const bool has_nitrogen =
+        beside(aryl, to, [&](Joint at) { return element(at) == nitrogen && bonds(at) == 2; }) > 0;
     if (is_secondary && has_nitrogen) return BondTurn::pyridyl_amide;
-    const bool is_amide =
-        beside(to, aryl, [&](Joint at) { return element(at) == nitrogen; }) > 0;
+    const bool is_amide = beside(to, aryl, [&](Joint at) { return element(at) == nitrogen; }) > 0;
     return is_amide && bare(aryl, to) == 0 ? BondTurn::aryl_acyl : BondTurn::aryl_ketone;
   }
 
@@ -156,9 +155,8 @@ class TurnKinds {
   }
 
   bool is_flat_nitrogen(Joint atom) const {
-    return bonds(atom) == 3 &&
-           (chemistry_.is_conjugated(atom) || is_beside_sulfonyl(atom) ||
-            beside(atom, atom, [&](Joint at) { return is_aryl(at); }) > 0);
+    return bonds(atom) == 3 && (chemistry_.is_conjugated(atom) || is_beside_sulfonyl(atom) ||
+                                beside(atom, atom, [&](Joint at) { return is_aryl(at); }) > 0);
   }
 
   bool is_esterified(Joint atom) const {
@@ -177,9 +175,8 @@ class TurnKinds {
   BondTurn acyl_alkyl(Joint from, Joint to) const {
     if (heavy(to) > 2) return heavy(to) == 3 ? BondTurn::acyl_branched : BondTurn::staggered;
     if (beside(to, from, [&](Joint at) { return is_aryl(at); }) > 0) return BondTurn::acyl_benzyl;
-    const bool is_polar = beside(to, from, [&](Joint at) {
-                            return is_hetero(at) || element(at) == sulphur;
-                          }) > 0;
+    const bool is_polar =
+        beside(to, from, [&](Joint at) { return is_hetero(at) || element(at) == sulphur; }) > 0;
     return is_polar ? BondTurn::acyl_hetero : BondTurn::acyl_alkyl;
   }
 
@@ -191,8 +188,8 @@ class TurnKinds {
 
   BondTurn alkyl(Joint a, Joint b) const {
     if (heavy(a) > 2 || heavy(b) > 2) return BondTurn::staggered;
-    const bool both = is_hetero(chemistry_.reference(a, b)) &&
-                      is_hetero(chemistry_.reference(b, a));
+    const bool both =
+        is_hetero(chemistry_.reference(a, b)) && is_hetero(chemistry_.reference(b, a));
     return both ? BondTurn::gauche : BondTurn::alkyl;
   }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "pliant/sample/rings/ring_moves.hpp"
-#include "pliant/sample/sample_options.hpp"
 
 namespace pliant {
 namespace {
@@ -51,7 +50,8 @@ bool has_bar_of(const Framework& framework, const std::vector<Bar>& pairs) {
   });
 }
 
-/// Bonds from `atom` to each heavy atom above it; 0: nearer than four bonds, or farther than `most`.
+/// Bonds from `atom` to each heavy atom above it; 0: nearer than four bonds, or farther than
+/// `most`.
 std::vector<int> bonds_from(Joint atom, int most, const BondChemistry& chemistry) {
   std::vector<int> bonds(chemistry.atoms(), -1);
   std::vector<Joint> reached{atom};
@@ -103,10 +103,6 @@ Bar longest_of(const std::vector<Bar>& pairs, std::span<const Vec3> x) {
 }
 
 }  // namespace
-
-AmideTurns amide_turns(const SampleOptions& options) {
-  return options.turn_amides ? AmideTurns::secondary : AmideTurns::tertiary;
-}
 
 std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
                                   AmideTurns which) {

@@ -15,16 +15,16 @@
 
 namespace pliant {
 
-struct SampleOptions;
-
 /// Which amides turn from cis to trans.
 enum class AmideTurns : std::uint8_t {
   tertiary,   ///< those without hydrogen at N
   secondary,  ///< those with one as well: amides, ureas, carbamates and their thio analogues
 };
 
-/// Which ones options ask for.
-AmideTurns amide_turns(const SampleOptions& options);
+/// Which ones an option asks for.
+inline AmideTurns amide_turns(bool with_secondary) {
+  return with_secondary ? AmideTurns::secondary : AmideTurns::tertiary;
+}
 
 /// An amide outside of rings, either cis or trans.
 struct Amide {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "pliant/sample/conformers/bond_turn_kinds.hpp"
 #include "pliant/sample/conformers/small_sterics.hpp"
 
 namespace pliant {

@@ -37,9 +37,10 @@ Turn nearest_usual(Turn torsion, BondTurn kind);
 /// kcal/mol), and a deviation of up to 0.8 widths; one of five is any angle.
 Turn drawn_usual(RandomSequence& draws, BondTurn kind);
 
-/// The energy of a torsion in kcal/mol, smooth, the lowest of its kind 0, at most about 5: -RT ln of
-/// the sum of the peaks, each with weight exp(-E / RT) and its width (von Mises). 0 for kinds `any`
-/// and `ester`. The torsion is that of BondChemistry::reference() on both sides, as of a Rotor.
+/// The energy of a torsion in kcal/mol, smooth, the lowest of its kind 0, at most about 5: -RT ln
+/// of the sum of the peaks, each with weight exp(-E / RT) and its width (von Mises). 0 for kinds
+/// `any` and `ester`. The torsion is that of BondChemistry::reference() on both sides, as of a
+/// Rotor.
 double torsion_energy(BondTurn kind, Turn torsion);
 
 }  // namespace pliant

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "pliant/sample/conformers/bond_turn_kinds.hpp"
+
 namespace pliant {
 namespace {
 

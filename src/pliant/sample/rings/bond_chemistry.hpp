@@ -43,9 +43,9 @@ class BondChemistry {
   /// Whether its bonds lie in a plane, or it is nitrogen or oxygen of an amide or ester, which
   /// files may show less flat than it is.
   bool is_conjugated(Joint atom) const;
-  /// The neighbour of `atom`, other than `except`, that torsions refer to; `atom` itself if there is
-  /// none. Rather one of the same ring than another (N without hydrogen first), then C=O and S, then
-  /// what has other neighbours, and hydrogen last.
+  /// The neighbour of `atom`, other than `except`, that torsions refer to; `atom` itself if there
+  /// is none. Rather one of the same ring than another (N without hydrogen first), then C=O and S,
+  /// then what has other neighbours, and hydrogen last.
   Joint reference(Joint atom, Joint except) const;
   /// Rings of five atoms or more, in the order of their lowest atoms.
   std::vector<SimpleRing> simple_rings() const;

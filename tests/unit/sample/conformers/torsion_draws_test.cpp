@@ -24,8 +24,8 @@ double off_usual(double angle, const BondTurnEntry& row) {
   double least = 180.0;
   for (const TorsionPeak& peak : row.peaks)
     for (const double sign : {-1.0, 1.0})
-      least = std::min(least, std::abs(std::remainder(angle - sign * peak.angle, 360.0)) /
-                                  peak.width);
+      least =
+          std::min(least, std::abs(std::remainder(angle - sign * peak.angle, 360.0)) / peak.width);
   return least;
 }
 
