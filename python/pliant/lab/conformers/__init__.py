@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Conformers of small molecules beside those of RDKit and CDPKit, against known ones."""
+"""Conformers beside those of RDKit and CDPKit, against known ones: ``pliant bench conformers``."""
