@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 START_SEED = 7
 _ENDINGS = (".sdf", ".mol", ".sdf.gz", ".mol.gz")
+_MOST_TRIES = 50
 _MOST_ITERATIONS = 2000
 
 
@@ -50,12 +51,13 @@ def start_of(molecule: Mol) -> Mol:
 
     made = Chem.Mol(molecule)
     made.RemoveAllConformers()
-    parameters = AllChem.ETKDGv3()
-    parameters.randomSeed = START_SEED
-    if AllChem.EmbedMolecule(made, parameters) != 0:
-        parameters.useRandomCoords = True
-        if AllChem.EmbedMolecule(made, parameters) != 0:
-            raise NoStartError("ETKDGv3 finds no conformer")
+    for parameters in (AllChem.ETKDGv3(), AllChem.EmbedParameters()):  # cages need the plain one
+        parameters.randomSeed = START_SEED
+        parameters.maxIterations = _MOST_TRIES
+        if AllChem.EmbedMolecule(made, parameters) == 0:
+            break
+    else:
+        raise NoStartError("RDKit finds no conformer")
     if AllChem.MMFFHasAllMoleculeParams(made):
         AllChem.MMFFOptimizeMolecule(made, maxIters=_MOST_ITERATIONS)
     return made
