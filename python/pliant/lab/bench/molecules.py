@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,9 +17,9 @@ import numpy as np
 import pliant
 from pliant import console
 from pliant._openmm.child import Job, Outcome, run_jobs
-from pliant.lab.bench.stress import WORKER
 from pliant.lab.bench.well_known_molecules import MOLECULES
 
+WORKER = Path(__file__).with_name("molecules_worker.py")
 BARS = ("bonds", "angles")
 STEPS = 50
 MAX_SWEEPS = 3000
@@ -116,32 +117,22 @@ def structure_of(smiles: str) -> pliant.Structure:
 
 
 def _job(structure: pliant.Structure, bars: str, technique: str, steps: int) -> Job:
-    framework = structure.framework(bars)
-    values = {"technique": technique, "weighting": 0.5, "tolerance": TOLERANCE, "steps": steps,
+    values = {"technique": technique, "bars": bars, "tolerance": TOLERANCE, "steps": steps,
               "max_sweeps": MAX_SWEEPS}  # fmt: skip
-    return Job(
-        "run",
-        values,
-        {
-            "positions": np.array(structure.positions),
-            "bars": framework.bars,
-            "rest_lengths": framework.rest_lengths,
-            "masses": framework.masses,
-            "pinned": framework.pinned,
-        },
-    )
+    names = ("positions", "elements", "bonds", "bond_orders")
+    return Job("loop", values, {name: np.array(getattr(structure, name)) for name in names})
 
 
 def _row(
     technique: str, bars: str, name: str, joints: int, steps: int, outcome: Outcome
 ) -> MoleculeRow:
     if not outcome.done:
-        return MoleculeRow(technique, bars, name, joints, steps, unable=outcome.brief())
+        why = outcome.message or outcome.brief()
+        return MoleculeRow(technique, bars, name, joints, steps, unable=why)
     sweeps, residual, unconverged, seconds = outcome.arrays["numbers"].tolist()
     return MoleculeRow(
-        technique, bars, name, joints, steps, "", int(unconverged), sweeps / steps, residual,
-        seconds / steps,
-    )  # fmt: skip
+        technique, bars, name, joints, steps, "", int(unconverged), sweeps, residual, seconds
+    )
 
 
 def _together(rows: Sequence[MoleculeRow], technique: str, bars: str) -> TechniqueRow:
