@@ -8,7 +8,7 @@ and again. Molecules are made by RDKit when the bench runs.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +26,7 @@ MAX_SWEEPS = 3000
 TOLERANCE = 1e-6
 LIMIT = 30.0  #: seconds for one technique on one molecule
 AUTO = "auto"
-COLUMNS = ("technique", "bars", "able", "converged", "sweeps a step", "residual", "worst residual",
+COLUMNS = ("technique", "bars", "able", "doubtful", "converged", "sweeps a step", "residual", "worst residual",
            "time / auto")  # fmt: skip
 
 
@@ -39,6 +39,7 @@ class MoleculeRow:
     molecule: str
     joints: int
     steps: int
+    fit: str = ""  #: said before the run: "fits", "doubtful" or "refused"
     unable: str = ""  #: why the technique refuses it, or how its process ended
     unconverged: int = 0  #: steps
     sweeps: float | None = None  #: mean of a step
@@ -59,6 +60,7 @@ class TechniqueRow:
     bars: str
     molecules: int
     able: int
+    doubtful: int  #: of which it is said before the run that they may not converge
     converged: int  #: molecules, after every step
     sweeps: float  #: a step; median of the molecules that it is able to do
     residual: float  #: median of the largest
@@ -96,11 +98,14 @@ def molecule_loops(
         for technique in techniques or known
         for name in structures
     ]
+    fits = {(bars, name): _fits(one, bars) for bars in BARS for name, one in structures.items()}
     jobs = [_job(structures[name], bars, technique, steps) for technique, bars, name in cases]
     outcomes, _ = run_jobs(jobs, limit, progress, WORKER)
     found = Loops()
     for (technique, bars, name), outcome in zip(cases, outcomes, strict=True):
-        found.rows.append(_row(technique, bars, name, len(structures[name]), steps, outcome))
+        fit = fits[bars, name][technique]
+        row = MoleculeRow(technique, bars, name, len(structures[name]), steps, fit)
+        found.rows.append(_filled(row, outcome))
     for bars in BARS:
         for technique in techniques or known:
             found.techniques.append(_together(found.rows, technique, bars))
@@ -123,15 +128,16 @@ def _job(structure: pliant.Structure, bars: str, technique: str, steps: int) -> 
     return Job("loop", values, {name: np.array(getattr(structure, name)) for name in names})
 
 
-def _row(
-    technique: str, bars: str, name: str, joints: int, steps: int, outcome: Outcome
-) -> MoleculeRow:
+def _fits(structure: pliant.Structure, bars: str) -> dict[str, str]:
+    return {name: fit for name, fit, _ in pliant.techniques_for(structure.framework(bars))}
+
+
+def _filled(row: MoleculeRow, outcome: Outcome) -> MoleculeRow:
     if not outcome.done:
-        why = outcome.message or outcome.brief()
-        return MoleculeRow(technique, bars, name, joints, steps, unable=why)
+        return replace(row, unable=outcome.message or outcome.brief())
     sweeps, residual, unconverged, seconds = outcome.arrays["numbers"].tolist()
-    return MoleculeRow(
-        technique, bars, name, joints, steps, "", int(unconverged), sweeps, residual, seconds
+    return replace(
+        row, unconverged=int(unconverged), sweeps=sweeps, residual=residual, seconds=seconds
     )
 
 
@@ -150,6 +156,7 @@ def _together(rows: Sequence[MoleculeRow], technique: str, bars: str) -> Techniq
         bars,
         len(mine),
         len(able),
+        sum(row.fit == "doubtful" for row in able),
         sum(row.converged for row in able),
         median([row.sweeps for row in able]),
         median([row.residual for row in able]),
@@ -163,8 +170,9 @@ def print_report(found: Loops) -> None:
     """A line a technique and kind of bars; then why some are unable."""
     count = max((row.molecules for row in found.techniques), default=0)
     print(
-        f"{count} molecules; able: those that the technique takes; converged: those whole after\n"
-        "every step; sweeps, largest residual and time: medians of those that it is able to do"
+        f"{count} molecules; able: those that the technique takes; doubtful: those of which it is\n"
+        "said before a run that they may not converge; converged: those whole after every step; sweeps,\n"
+        "largest residual and time: medians of those that it is able to do"
     )
     table = console.Table("", COLUMNS, text_columns=(0, 1))
     table.rows = [_cells(row) for row in found.techniques]
@@ -176,7 +184,7 @@ def print_report(found: Loops) -> None:
 
 def _cells(row: TechniqueRow) -> list[str]:
     if not row.able:
-        return [row.technique, row.bars, "0", *[""] * 5]
-    return [row.technique, row.bars, str(row.able), str(row.converged), f"{row.sweeps:.3g}",
+        return [row.technique, row.bars, "0", *[""] * 6]
+    return [row.technique, row.bars, str(row.able), str(row.doubtful), str(row.converged), f"{row.sweeps:.3g}",
             f"{row.residual:.1g}", f"{row.worst_residual:.1g}",
             "" if np.isnan(row.time_to_auto) else f"{row.time_to_auto:.2g}"]  # fmt: skip
