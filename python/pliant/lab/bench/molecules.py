@@ -26,8 +26,8 @@ MAX_SWEEPS = 3000
 TOLERANCE = 1e-6
 LIMIT = 30.0  #: seconds for one technique on one molecule
 AUTO = "auto"
-COLUMNS = ("technique", "bars", "able", "doubtful", "converged", "sweeps a step", "residual", "worst residual",
-           "time / auto")  # fmt: skip
+COLUMNS = ("technique", "bars", "able", "doubtful", "converged", "sweeps a step", "residual",
+           "worst residual", "time / auto")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -122,8 +122,8 @@ def structure_of(smiles: str) -> pliant.Structure:
 
 
 def _job(structure: pliant.Structure, bars: str, technique: str, steps: int) -> Job:
-    values = {"technique": technique, "bars": bars, "tolerance": TOLERANCE, "steps": steps,
-              "max_sweeps": MAX_SWEEPS}  # fmt: skip
+    values: dict[str, float | str] = {"technique": technique, "bars": bars, "steps": steps}
+    values |= {"tolerance": TOLERANCE, "max_sweeps": MAX_SWEEPS}
     names = ("positions", "elements", "bonds", "bond_orders")
     return Job("loop", values, {name: np.array(getattr(structure, name)) for name in names})
 
@@ -171,8 +171,8 @@ def print_report(found: Loops) -> None:
     count = max((row.molecules for row in found.techniques), default=0)
     print(
         f"{count} molecules; able: those that the technique takes; doubtful: those of which it is\n"
-        "said before a run that they may not converge; converged: those whole after every step; sweeps,\n"
-        "largest residual and time: medians of those that it is able to do"
+        "said before a run that they may not converge; converged: those whole after every step;\n"
+        "sweeps, largest residual and time: medians of those that it is able to do"
     )
     table = console.Table("", COLUMNS, text_columns=(0, 1))
     table.rows = [_cells(row) for row in found.techniques]
@@ -185,6 +185,6 @@ def print_report(found: Loops) -> None:
 def _cells(row: TechniqueRow) -> list[str]:
     if not row.able:
         return [row.technique, row.bars, "0", *[""] * 6]
-    return [row.technique, row.bars, str(row.able), str(row.doubtful), str(row.converged), f"{row.sweeps:.3g}",
-            f"{row.residual:.1g}", f"{row.worst_residual:.1g}",
+    return [row.technique, row.bars, str(row.able), str(row.doubtful), str(row.converged),
+            f"{row.sweeps:.3g}", f"{row.residual:.1g}", f"{row.worst_residual:.1g}",
             "" if np.isnan(row.time_to_auto) else f"{row.time_to_auto:.2g}"]  # fmt: skip

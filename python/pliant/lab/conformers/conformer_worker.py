@@ -14,13 +14,13 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from rdkit import Chem, RDLogger
-from rdkit.Chem import AllChem
+from rdkit import Chem, rdBase
+from rdkit.Chem import rdDistGeom
 
 from pliant._openmm import worker
 from pliant.lab.conformers.contenders import CONTENDERS, Contender
 
-RDLogger.DisableLog("rdApp.*")
+rdBase.DisableLog("rdApp.*")
 
 
 def user_seconds() -> float:
@@ -33,7 +33,7 @@ def user_seconds() -> float:
 def _warm_up(name: str) -> None:
     """Imports and reads libraries of rules, which a program does once, are not counted."""
     butanol = Chem.AddHs(Chem.MolFromSmiles("CCCCO"))
-    AllChem.EmbedMolecule(butanol, randomSeed=1)
+    rdDistGeom.EmbedMolecule(butanol, randomSeed=1)
     next(one for one in CONTENDERS if one.name == name).make(butanol, 2)
 
 

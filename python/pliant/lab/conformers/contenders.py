@@ -54,14 +54,14 @@ def _ours(molecule: Mol, count: int) -> Floats:
 
 def _etkdg(molecule: Mol, count: int) -> Floats:
     from rdkit import Chem
-    from rdkit.Chem import AllChem
+    from rdkit.Chem import rdDistGeom
 
     made = Chem.Mol(molecule)
     made.RemoveAllConformers()
-    parameters = AllChem.ETKDGv3()
+    parameters = rdDistGeom.ETKDGv3()
     parameters.randomSeed = _SEED
     parameters.numThreads = 1
-    AllChem.EmbedMultipleConfs(made, count, parameters)
+    rdDistGeom.EmbedMultipleConfs(made, count, parameters)
     return np.array([one.GetPositions() for one in made.GetConformers()])
 
 
@@ -91,7 +91,9 @@ def _conforge(molecule: Mol, count: int) -> Floats:
 def _code_name(code: int) -> str:
     from CDPL.ConfGen import ReturnCode
 
-    names = [name for name in dir(ReturnCode) if name.isupper() and getattr(ReturnCode, name) == code]
+    names = [
+        name for name in dir(ReturnCode) if name.isupper() and getattr(ReturnCode, name) == code
+    ]
     return names[0] if names else f"code {code}"
 
 

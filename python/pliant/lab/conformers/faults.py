@@ -56,10 +56,10 @@ def _centres(molecule: Mol) -> npt.NDArray[np.int64]:
     from rdkit import Chem
 
     found = []
-    for centre, _ in Chem.FindMolChiralCenters(molecule, useLegacyImplementation=False):
-        atom = molecule.GetAtomWithIdx(centre)
-        around = [one.GetIdx() for one in atom.GetNeighbors()]
-        found.append((around + [centre])[:4])
+    for atom in molecule.GetAtoms():
+        if atom.GetChiralTag() in (Chem.CHI_TETRAHEDRAL_CW, Chem.CHI_TETRAHEDRAL_CCW):
+            around = [one.GetIdx() for one in atom.GetNeighbors()]
+            found.append([*around, atom.GetIdx()][:4])
     return np.array(found, dtype=np.int64).reshape(-1, 4)
 
 
@@ -83,7 +83,9 @@ def _amides(molecule: Mol) -> npt.NDArray[np.int64]:
     rings = molecule.GetRingInfo().AtomRings()
     matches = molecule.GetSubstructMatches(pattern)
     free = [
-        m for m in matches if not any(len(r) <= _SMALL_RING and {m[1], m[2]} <= set(r) for r in rings)
+        m
+        for m in matches
+        if not any(len(r) <= _SMALL_RING and {m[1], m[2]} <= set(r) for r in rings)
     ]
     return np.array(free, dtype=np.int64).reshape(-1, 4)
 
@@ -116,16 +118,16 @@ def _has_contact(molecule: Mol, frames: Floats) -> Bools:
 def energies(molecule: Mol, frames: Floats) -> tuple[Floats, Floats]:
     """(F,) kcal/mol of MMFF94s as they are, and minimised; empty where it has no parameters."""
     from rdkit import Chem
-    from rdkit.Chem import AllChem
+    from rdkit.Chem import rdForceFieldHelpers
 
-    if not AllChem.MMFFHasAllMoleculeParams(molecule):
+    if not rdForceFieldHelpers.MMFFHasAllMoleculeParams(molecule):
         return np.zeros(0), np.zeros(0)
     work = Chem.Mol(molecule)
-    properties = AllChem.MMFFGetMoleculeProperties(work, mmffVariant="MMFF94s")
+    properties = rdForceFieldHelpers.MMFFGetMoleculeProperties(work, mmffVariant="MMFF94s")
     raw, minimised = [], []
     for positions in frames:
         work.GetConformer().SetPositions(np.ascontiguousarray(positions))
-        field = AllChem.MMFFGetMoleculeForceField(work, properties)
+        field = rdForceFieldHelpers.MMFFGetMoleculeForceField(work, properties)
         raw.append(field.CalcEnergy())
         field.Minimize(maxIts=_STEPS)
         minimised.append(field.CalcEnergy())

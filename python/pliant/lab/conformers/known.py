@@ -47,19 +47,20 @@ def start_of(molecule: Mol) -> Mol:
     Raises NoStartError where RDKit finds no conformer.
     """
     from rdkit import Chem
-    from rdkit.Chem import AllChem
+    from rdkit.Chem import rdDistGeom, rdForceFieldHelpers
 
     made = Chem.Mol(molecule)
     made.RemoveAllConformers()
-    for parameters in (AllChem.ETKDGv3(), AllChem.EmbedParameters()):  # cages need the plain one
+    # Cages such as C60 need the plain one, without ETKDG's planes.
+    for parameters in (rdDistGeom.ETKDGv3(), rdDistGeom.EmbedParameters()):
         parameters.randomSeed = START_SEED
         parameters.maxIterations = _MOST_TRIES
-        if AllChem.EmbedMolecule(made, parameters) == 0:
+        if rdDistGeom.EmbedMolecule(made, parameters) == 0:
             break
     else:
         raise NoStartError("RDKit finds no conformer")
-    if AllChem.MMFFHasAllMoleculeParams(made):
-        AllChem.MMFFOptimizeMolecule(made, maxIters=_MOST_ITERATIONS)
+    if rdForceFieldHelpers.MMFFHasAllMoleculeParams(made):
+        rdForceFieldHelpers.MMFFOptimizeMolecule(made, maxIters=_MOST_ITERATIONS)
     return made
 
 
@@ -70,7 +71,9 @@ def read_known(
 
     Raises InputError where there is no such file, or nothing in it can be used.
     """
-    files = sorted(p for p in path.iterdir() if p.name.endswith(_ENDINGS)) if path.is_dir() else [path]
+    files = (
+        sorted(p for p in path.iterdir() if p.name.endswith(_ENDINGS)) if path.is_dir() else [path]
+    )
     if not files or not all(file.is_file() for file in files):
         raise InputError(f"{path}: no SDF or MOL file")
     records = [one for file in files for one in _records(file)]

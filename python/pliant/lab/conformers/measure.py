@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs all contenders on all molecules, each in a process of its own, and measures what they made."""
+"""Runs all contenders on all molecules, in processes of their own, and measures what they made."""
 
 from __future__ import annotations
 
@@ -52,9 +52,6 @@ def run_all(
     A molecule that a contender fails at, or takes more than `limit` seconds for, is a row with the
     failure. `strain`: minimises some conformers of each contender, those of the least count.
     """
-    from rdkit import RDLogger
-
-    RDLogger.DisableLog("rdApp.*")
     subjects = [Subject(one, symmetry_maps(one.molecule)) for one in found.molecules]
     tasks = [(one, asked) for one in contenders for asked in _runs_of(one, counts)]
     runs: list[Run] = []

@@ -5,12 +5,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pliant._core import InputError
 from pliant.lab.conformers.summary import Column, Run, columns_of
 from pliant.plotting import PALETTE, figure, save
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 _STYLES = ("-", "--", ":", "-.")
 _FURTHEST = 3.0  #: Angstrom
@@ -38,19 +42,21 @@ def draw(runs: Sequence[Run], path: str | os.PathLike[str]) -> None:
                 color=colours[name],
                 label=name,
             )
-        number.set(title="by number", xscale="log", xlabel="conformers", ylabel="mean of nearest (Å)")
+        number.set(
+            title="by number", xscale="log", xlabel="conformers", ylabel="mean of nearest (Å)"
+        )
         time.set(title="by time", xscale="log", xlabel="CPU time a molecule (s)",
                  ylabel="mean of nearest (Å)")  # fmt: skip
         number.legend(frameon=False)
         save(plot, path)
 
 
-def _draw_shares(axes: object, columns: Sequence[Column], colours: dict[str, str]) -> None:
+def _draw_shares(axes: Axes, columns: Sequence[Column], colours: dict[str, str]) -> None:
     counts = sorted({column.asked for column in columns})
     for column in columns:
         near = np.sort(np.nan_to_num(column.nearest, nan=np.inf))
         share = np.arange(1, len(near) + 1) / len(near)
-        axes.step(  # type: ignore[attr-defined]
+        axes.step(
             np.r_[0, near],
             np.r_[0, share],
             where="post",
@@ -58,11 +64,9 @@ def _draw_shares(axes: object, columns: Sequence[Column], colours: dict[str, str
             linestyle=_STYLES[counts.index(column.asked) % len(_STYLES)],
             label=f"{column.contender}, {column.asked}",
         )
-    axes.set(  # type: ignore[attr-defined]
-        title="share of molecules", xlim=(0, _FURTHEST), ylim=(0, 1), xlabel="nearest conformer (Å)",
-        ylabel="share as near",
-    )  # fmt: skip
-    axes.legend(frameon=False, loc="lower right", fontsize=8)  # type: ignore[attr-defined]
+    axes.set(title="share of molecules", xlim=(0, _FURTHEST), ylim=(0, 1),
+             xlabel="nearest conformer (Å)", ylabel="share as near")  # fmt: skip
+    axes.legend(frameon=False, loc="lower right", fontsize=8)
 
 
 def _by_number(runs: Sequence[Run]) -> tuple[list[int], list[float]]:

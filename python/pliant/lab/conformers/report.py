@@ -17,9 +17,9 @@ FAULTS = ("contender", "asked", "conformers", "handed", "E/Z", "amides", "contac
 def print_report(table: Table) -> None:
     """Shares, differences, faults; then what failed or could not be measured."""
     print(
-        f"{table.molecules} molecules with a known conformer, each made anew from its graph; share with a\n"
-        "conformer as near as that to the known one (RMSD of heavy atoms, least over symmetry), the\n"
-        "mean of the nearest, and CPU time (user, starts included) a molecule"
+        f"{table.molecules} molecules with a known conformer, each made anew from its graph; share"
+        "\nwith a conformer as near as that to the known one (RMSD of heavy atoms, least over\n"
+        "symmetry), mean of the nearest, and CPU time a molecule (user, starts included)"
     )
     _print(SHARES, (0, 1), [
         [s.at, s.contender, f"{s.made:.0f}", *(f"{v:.2f}" for v in s.within), _number(s.nearest, 3),
@@ -51,7 +51,7 @@ def print_report(table: Table) -> None:
 
 def _print(columns: tuple[str, ...], text: tuple[int, ...], rows: list[list[str]]) -> None:
     shown = console.Table("", columns, text_columns=text)
-    shown.rows = rows
+    shown.rows = [*rows]
     if rows:
         shown.print()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the molecules say together: shares, differences paired by molecule, at equal numbers and times."""
+"""What the molecules say together: shares, differences by molecule, at equal numbers and times."""
 
 from __future__ import annotations
 

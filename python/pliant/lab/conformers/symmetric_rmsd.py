@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """RMSD of the heavy atoms of a small molecule, the least over its symmetries, superposed.
 
-Atoms that the graph cannot tell apart may be exchanged: the two sides of a phenyl, the methyls of an
-isopropyl. So may the ends of carboxylates, nitro, sulfonyl, phosphate and amidinium groups, which
-differ only in how their bonds are drawn.
+Atoms that the graph cannot tell apart may be exchanged: the two sides of a phenyl, the methyls of
+an isopropyl. So may the ends of carboxylates, nitro, sulfonyl, phosphate and amidinium groups,
+which differ only in how their bonds are drawn.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
-#: Ways to exchange atoms that are tried, as many have reported since the first conformer benchmarks.
+#: Ways to exchange atoms that are tried.
 MAX_MAPS = 64
 
 _ENDS = (7, 8, 16)  # N, O, S

@@ -12,9 +12,9 @@ import pliant
 pytest.importorskip("rdkit")
 pytest.importorskip("openmm")
 
-from pliant.lab.bench.command import main  # noqa: E402
-from pliant.lab.bench.molecules import molecule_loops, structure_of  # noqa: E402
-from pliant.lab.bench.well_known_molecules import MOLECULES  # noqa: E402
+from pliant.lab.bench.command import main
+from pliant.lab.bench.molecules import molecule_loops, structure_of
+from pliant.lab.bench.well_known_molecules import MOLECULES
 
 
 def test_there_are_thirty_molecules_which_rdkit_reads():

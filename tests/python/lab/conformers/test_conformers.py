@@ -15,8 +15,6 @@ pytest.importorskip("openmm")
 pytest.importorskip("MDAnalysisTests")
 pytest.importorskip("prody")
 
-from rdkit.Chem import AllChem, rdMolAlign  # noqa: E402
-
 from pliant._openmm.child import Job, run_jobs  # noqa: E402
 from pliant.lab.bench.command import main  # noqa: E402
 from pliant.lab.conformers import contenders, measure, summary  # noqa: E402
@@ -25,6 +23,7 @@ from pliant.lab.conformers.faults import energies, faults_of  # noqa: E402
 from pliant.lab.conformers.known import read_known, start_of  # noqa: E402
 from pliant.lab.conformers.rows import Made, Table  # noqa: E402
 from pliant.lab.conformers.symmetric_rmsd import nearest, symmetry_maps  # noqa: E402
+from rdkit.Chem import AllChem, rdMolAlign  # noqa: E402
 
 SYMMETRIC = (
     "CC(C)(C)c1ccc(cc1)S(=O)(=O)NCCC(=O)[O-]",

@@ -27,7 +27,7 @@ def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
     add = parser.add_argument
     add("--data", metavar="PATH",
-        help="SDF or MOL file (also .gz), or a folder of them, with known conformers and hydrogens")  # fmt: skip
+        help="SDF or MOL file (or .gz) or folder: known conformers with hydrogens")  # fmt: skip
     add("--ring", metavar="N", type=console.whole_number(3), default=0,
         help="only molecules with a ring of N or more atoms")  # fmt: skip
     add("--contenders", metavar="NAME,...", type=console.words, default=(), help="default: all")
@@ -47,6 +47,8 @@ def run(arguments: argparse.Namespace) -> int:
     need("pliant bench conformers", "rdkit")
     from pathlib import Path
 
+    from rdkit import rdBase
+
     from pliant._core import OptionError
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.conformers import known, measure, report, summary
@@ -62,9 +64,12 @@ def run(arguments: argparse.Namespace) -> int:
         if not word.isdigit() or int(word) < 1:
             raise OptionError(f"--counts {word}: must be whole numbers from 1, as in 50,250")
     chosen = [one for one in CONTENDERS if one.name in (arguments.contenders or names)]
-    data = arguments.data
-    found = known.read_known(Path(data), arguments.ring) if data else crystal_ligands(arguments.ring)
-    with console.progress("conformers", arguments.quiet or arguments.json) as show:
+    data, ring = arguments.data, arguments.ring
+    with (
+        console.progress("conformers", arguments.quiet or arguments.json) as show,
+        rdBase.BlockLogs(),
+    ):
+        found = known.read_known(Path(data), ring) if data else crystal_ligands(ring)
         runs = measure.run_all(
             found,
             [one for one in chosen if one.is_installed],
