@@ -24,7 +24,7 @@ BARS = ("bonds", "angles")
 STEPS = 50
 MAX_SWEEPS = 3000
 TOLERANCE = 1e-6
-LIMIT = 30.0  #: seconds for one technique on one molecule
+LIMIT = 120.0  #: seconds for one technique on one molecule
 AUTO = "auto"
 COLUMNS = ("technique", "bars", "able", "doubtful", "converged", "sweeps a step", "residual",
            "worst residual", "time / auto")  # fmt: skip
@@ -40,7 +40,8 @@ class MoleculeRow:
     joints: int
     steps: int
     fit: str = ""  #: said before the run: "fits", "doubtful" or "refused"
-    unable: str = ""  #: why the technique refuses it, or how its process ended
+    unable: str = ""  #: why the technique refuses it
+    failure: str = ""  #: how its process ended, such as by the time limit
     unconverged: int = 0  #: steps
     sweeps: float | None = None  #: mean of a step
     residual: float | None = None  #: largest relative one after any step
@@ -49,7 +50,7 @@ class MoleculeRow:
     @property
     def converged(self) -> bool:
         """After every step."""
-        return not self.unable and not self.unconverged
+        return not (self.unable or self.failure or self.unconverged)
 
 
 @dataclass(frozen=True)
@@ -133,8 +134,10 @@ def _fits(structure: pliant.Structure, bars: str) -> dict[str, str]:
 
 
 def _filled(row: MoleculeRow, outcome: Outcome) -> MoleculeRow:
+    if outcome.event == "raised":
+        return replace(row, unable=outcome.message)
     if not outcome.done:
-        return replace(row, unable=outcome.message or outcome.brief())
+        return replace(row, failure=outcome.brief())
     sweeps, residual, unconverged, seconds = outcome.arrays["numbers"].tolist()
     return replace(
         row, unconverged=int(unconverged), sweeps=sweeps, residual=residual, seconds=seconds
@@ -180,6 +183,9 @@ def print_report(found: Loops) -> None:
     for row in found.techniques:
         if row.unable:
             print(f"{row.technique}, {row.bars}: {row.molecules - row.able} unable: {row.unable}")
+    for one in found.rows:
+        if one.failure:
+            print(f"failed: {one.molecule}, {one.technique}, {one.bars}: {one.failure}")
 
 
 def _cells(row: TechniqueRow) -> list[str]:

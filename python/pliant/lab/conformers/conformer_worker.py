@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import pathlib
 import resource
+import signal
 import sys
 from collections.abc import Callable, Mapping
 from functools import cache, partial
@@ -43,7 +44,9 @@ def make(contender: Contender, job: Mapping[str, Any]) -> dict[str, np.ndarray]:
     Chem.AssignStereochemistryFrom3D(molecule)
     _warm_up(contender.name)
     before = user_seconds()
+    signal.setitimer(signal.ITIMER_VIRTUAL, float(job["limit"]))  # which ends the process
     frames = contender.make(molecule, int(job["count"]))
+    signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
     return {"frames": frames, "seconds": np.array(user_seconds() - before)}
 
 

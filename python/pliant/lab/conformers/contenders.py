@@ -6,7 +6,7 @@ from __future__ import annotations
 import importlib.util
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -58,7 +58,7 @@ def _etkdg(molecule: Mol, count: int) -> Floats:
 
     made = Chem.Mol(molecule)
     made.RemoveAllConformers()
-    parameters = rdDistGeom.ETKDGv3()
+    parameters: Any = rdDistGeom.ETKDGv3()
     parameters.randomSeed = _SEED
     parameters.numThreads = 1
     rdDistGeom.EmbedMultipleConfs(made, count, parameters)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import importlib.util
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -59,6 +59,7 @@ def _ligand(path: Path, residue: str, smiles: str) -> Mol | None:
     from rdkit import Chem
     from rdkit.Chem import AllChem
 
+    with_orders: Any = AllChem.AssignBondOrdersFromTemplate
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         whole = pliant.read(path)
@@ -69,7 +70,7 @@ def _ligand(path: Path, residue: str, smiles: str) -> Mol | None:
     part = pliant.Structure(np.array(whole.positions)[heavy], elements=whole.elements[heavy])
     part.perceive_bonds()
     try:
-        molecule = AllChem.AssignBondOrdersFromTemplate(Chem.MolFromSmiles(smiles), _skeleton(part))
+        molecule = with_orders(Chem.MolFromSmiles(smiles), _skeleton(part))
     except ValueError:  # atoms are missing
         return None
     Chem.AssignStereochemistryFrom3D(molecule)

