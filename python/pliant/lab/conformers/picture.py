@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from pliant._core import InputError
 from pliant.lab.conformers.summary import Column, Run, columns_of
@@ -42,11 +43,13 @@ def draw(runs: Sequence[Run], path: str | os.PathLike[str]) -> None:
                 color=colours[name],
                 label=name,
             )
-        number.set(
-            title="by number", xscale="log", xlabel="conformers", ylabel="mean of nearest (Å)"
-        )
-        time.set(title="by time", xscale="log", xlabel="CPU time a molecule (s)",
-                 ylabel="mean of nearest (Å)")  # fmt: skip
+        number.set(title="by number", xlabel="conformers", ylabel="mean of nearest (Å)")
+        time.set(title="by time", xlabel="CPU time a molecule (s)", ylabel="mean of nearest (Å)")
+        for panel in (number, time):
+            panel.set_xscale("log")
+            panel.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            panel.xaxis.set_major_formatter("{x:g}")
+            panel.xaxis.set_minor_formatter(NullFormatter())
         number.legend(frameon=False)
         save(plot, path)
 
