@@ -20,7 +20,7 @@ from pliant.lab.bench.command import main  # noqa: E402
 from pliant.lab.conformers import contenders, measure, summary  # noqa: E402
 from pliant.lab.conformers.crystal_ligands import LIGANDS, crystal_ligands  # noqa: E402
 from pliant.lab.conformers.faults import energies, faults_of  # noqa: E402
-from pliant.lab.conformers.known import read_known, start_of  # noqa: E402
+from pliant.lab.conformers.known import KnownSet, read_known, start_of  # noqa: E402
 from pliant.lab.conformers.rows import Made, Table  # noqa: E402
 from pliant.lab.conformers.symmetric_rmsd import nearest, symmetry_maps  # noqa: E402
 from rdkit.Chem import AllChem, rdMolAlign  # noqa: E402
@@ -107,8 +107,13 @@ def test_energies_fall_to_that_of_rdkits_own_minimiser():
     assert raw[0] > low[0] == pytest.approx(expected, abs=0.05)
 
 
-def test_crystal_ligands_are_those_of_the_table_with_all_atoms():
-    found = crystal_ligands()
+@pytest.fixture(scope="module")
+def ligands():
+    return crystal_ligands()
+
+
+def test_crystal_ligands_are_those_of_the_table_with_all_atoms(ligands):
+    found = ligands
     assert [one.name for one in found.molecules] == [residue for _, _, residue, _ in LIGANDS]
     assert found.skipped == []
     for one in found.molecules:
@@ -156,7 +161,7 @@ def test_a_start_does_not_depend_on_the_known_conformer():
     assert np.array_equal(*starts)
 
 
-def test_a_contender_that_fails_or_is_slow_is_a_row(tmp_path):
+def test_a_contender_that_fails_or_is_slow_is_a_row(ligands, tmp_path):
     worker = tmp_path / "worker.py"
     worker.write_text(
         "import pathlib, sys, time\n"
@@ -167,7 +172,7 @@ def test_a_contender_that_fails_or_is_slow_is_a_row(tmp_path):
     )
     jobs = [Job("fail", {}, {}), Job("slow", {}, {}), Job("fail", {}, {})]
     outcomes, _ = run_jobs(jobs, 2.0, worker=worker)
-    subject = measure.Subject(crystal_ligands().molecules[0], np.zeros((1, 1), dtype=np.int64))
+    subject = measure.Subject(ligands.molecules[0], np.zeros((1, 1), dtype=np.int64))
     entry = contenders.CONTENDERS[0]
     rows = [measure._run(entry, 5, subject, outcome).row for outcome in outcomes]
     assert [row.failure for row in rows] == [
@@ -178,11 +183,10 @@ def test_a_contender_that_fails_or_is_slow_is_a_row(tmp_path):
     assert all(row.nearest is None and row.made == 0 for row in rows)
 
 
-def test_cpu_time_is_limited_and_the_rest_goes_on():
-    found = crystal_ligands()
-    found.molecules = found.molecules[:2]
+def test_cpu_time_is_limited_and_the_rest_goes_on(ligands):
+    found = KnownSet(ligands.molecules[:2])
     entry = next(one for one in contenders.CONTENDERS if one.name == "ETKDGv3")
-    runs = measure.run_all(found, [entry], [1, 200], limit=0.5, strain=False)
+    runs = measure.run_all(found, [entry], [1, 200], limit=0.3, strain=False)
     failures = {run.row.asked: run.row.failure for run in runs}
     assert failures == {1: "", 200: "over the limit of CPU time"}
     assert len(runs) == 4
