@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,7 @@ from pliant.lab.conformers.rows import WITHIN, Difference, Fault, Made, Share, T
 Floats = npt.NDArray[np.float64]
 
 OURS = "Pliant"
+_ROUNDING = 1e-9  #: of means that should be equal
 JUDGED = 1.0  #: Angstrom, of the share in differences
 
 
@@ -52,53 +53,55 @@ def summarise(table: Table, runs: Sequence[Run]) -> None:
 
 def columns_of(runs: Sequence[Run]) -> list[Column]:
     """Each contender at each number of conformers."""
-    return [
-        _column(some, f"{asked} conformers", asked, asked)
-        for (_, asked), some in _grouped(runs, order=1).items()
-    ]
+    groups = sorted(_grouped(runs).items(), key=lambda item: item[0][1])
+    return [_column(some, f"{asked} conformers", asked) for (_, asked), some in groups]
 
 
 def at_equal_time(runs: Sequence[Run], columns: Sequence[Column]) -> list[Column]:
-    """All with the CPU time of the slowest run of the peer that is fastest: the first conformers.
+    """All with the CPU time that the fastest of the others takes for its most: first conformers.
 
     How many that pays for is interpolated between the mean times of a contender's runs.
     """
-    peers = {c.contender: float(np.nanmean(c.seconds)) for c in columns if c.contender != OURS}
-    if not peers or not np.isfinite(min(peers.values())):
-        return []
-    budget = min(peers.values())
+    times = {
+        name: [(c.asked, float(np.nanmean(c.seconds))) for c in columns if c.contender == name]
+        for name in dict.fromkeys(c.contender for c in columns if np.isfinite(c.nearest).any())
+    }
+    others = [some[-1][1] for name, some in times.items() if name != OURS]
+    budget = min(others, default=np.nan)
     found = []
-    for contender in dict.fromkeys(column.contender for column in columns):
-        mine = [c for c in columns if c.contender == contender]
-        times = [float(np.nanmean(c.seconds)) for c in mine]
-        if len(set(times)) == 1:  # one run, whose first conformers are all columns
-            mine, times = mine[-1:], times[-1:]
-        paid = float(np.interp(budget * 1.000001, [0.0, *times], [0, *(c.asked for c in mine)]))
-        first = max(1, round(paid))
-        asked = min(c.asked for c in mine if c.asked >= first)
-        some = _grouped(runs)[contender, asked]
-        found.append(_column(some, f"equal CPU, {budget:.2g} s", asked, first))
+    for name, some in times.items() if others else ():
+        if len({seconds for _, seconds in some}) == 1:  # one run, with all others at its beginning
+            some = some[-1:]
+        asked, seconds = np.array([(0, 0.0), *some]).T
+        paid = np.interp(budget * (1 + _ROUNDING), np.maximum.accumulate(seconds), asked)
+        first = max(1, round(float(paid)))
+        column = _column(
+            _grouped(runs)[name, int(asked[asked >= first].min())],
+            f"equal CPU, {budget:.2g} s",
+            first,
+        )
+        spent = min(budget, float(seconds.max()))
+        found.append(replace(column, seconds=np.full_like(column.seconds, spent)))
     return found
 
 
-def _grouped(runs: Sequence[Run], order: int = 0) -> dict[tuple[str, int], list[Run]]:
-    """By contender and number, in the order in which they were run or by number."""
+def _grouped(runs: Sequence[Run]) -> dict[tuple[str, int], list[Run]]:
+    """By contender and number, in the order in which they were run."""
     found: dict[tuple[str, int], list[Run]] = {}
     for run in runs:
         found.setdefault((run.row.contender, run.row.asked), []).append(run)
-    return dict(sorted(found.items(), key=lambda item: item[0][1])) if order else found
+    return found
 
 
-def _column(runs: Sequence[Run], at: str, asked: int, first: int) -> Column:
-    def each(value: float | None) -> float:
-        return np.nan if value is None else value
-
+def _column(runs: Sequence[Run], at: str, first: int) -> Column:
+    """The first conformers of each run."""
+    seconds = [np.nan if run.row.seconds is None else run.row.seconds for run in runs]
     return Column(
         runs[0].row.contender,
         at,
-        min(asked, first),
+        first,
         np.array([run.distances[:first].min() if run.row.made else np.nan for run in runs]),
-        np.array([each(run.row.seconds) for run in runs]) * min(1.0, first / asked),
+        np.array(seconds),
         np.array([min(run.row.made, first) for run in runs], dtype=np.float64),
     )
 
