@@ -45,6 +45,8 @@ PAGES = {
     "pliant-bench-validity": ["bench", "validity", "--help"],
     "pliant-bench-coverage": ["bench", "coverage", "--help"],
     "pliant-bench-domains": ["bench", "domains", "--help"],
+    "pliant-bench-conformers": ["bench", "conformers", "--help"],
+    "pliant-bench-molecules": ["bench", "molecules", "--help"],
 }
 #: whose --help shows a part of their options
 WITH_MORE = (

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""Runs all contenders on all molecules, in processes of their own, and measures what they made."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from pliant._openmm.child import Job, Outcome, run_jobs
+from pliant.lab.conformers.contenders import CONTENDERS, Contender
+from pliant.lab.conformers.faults import energies, faults_of
+from pliant.lab.conformers.known import Known, KnownSet
+from pliant.lab.conformers.rows import Made
+from pliant.lab.conformers.summary import Run
+from pliant.lab.conformers.symmetric_rmsd import nearest_rmsd, symmetry_maps
+
+Progress = Callable[[int, int], object]
+
+WORKER = Path(__file__).with_name("conformer_worker.py")
+COUNTS = (50, 250, 1000)
+LIMIT = 120.0  #: CPU seconds for a molecule
+_WALL = 10  #: times as long by the clock, for what waits without computing
+MOST_MINIMISED = 20  #: conformers of a molecule and contender
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A molecule, and what is worked out once for it."""
+
+    known: Known
+    maps: npt.NDArray[np.int64]  #: of its symmetry
+
+    def distances(self, frames: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(F,) Angstrom from the known conformer."""
+        return nearest_rmsd(self.known.molecule.GetConformer().GetPositions(), frames, self.maps)
+
+
+def run_all(
+    found: KnownSet,
+    contenders: Sequence[Contender] = CONTENDERS,
+    counts: Sequence[int] = COUNTS,
+    *,
+    limit: float = LIMIT,
+    strain: bool = True,
+    progress: Progress | None = None,
+) -> list[Run]:
+    """A row for each contender, each of the counts that is not more than it makes, each molecule.
+
+    A molecule that a contender fails at, or takes more than `limit` CPU seconds for, is a row with
+    the failure. `strain`: minimises some conformers of each contender, those of the least count.
+    """
+    subjects = [Subject(one, symmetry_maps(one.molecule)) for one in found.molecules]
+    tasks = [(one, asked) for one in contenders for asked in _runs_of(one, counts)]
+    runs: list[Run] = []
+    for number, (contender, asked) in enumerate(tasks):
+        shown = _shown(progress, number, len(tasks))
+        outcomes = _made_by(contender, asked, subjects, limit, shown)
+        rows = [n for n in counts if n <= asked] if contender.is_prefix else [asked]
+        for count in rows:
+            runs += [_run(contender, count, *pair) for pair in zip(subjects, outcomes, strict=True)]
+    return _with_strain(runs, subjects, min(counts)) if strain else runs
+
+
+def _runs_of(contender: Contender, counts: Sequence[int]) -> list[int]:
+    if contender.is_prefix:
+        return [contender.most]
+    return [count for count in counts if count <= contender.most]
+
+
+def _shown(progress: Progress | None, task: int, tasks: int) -> Callable[[int, int], None]:
+    def show(done: int, count: int) -> None:
+        if progress:
+            progress(task * count + done, tasks * count)
+
+    return show
+
+
+def _made_by(
+    contender: Contender,
+    asked: int,
+    subjects: Sequence[Subject],
+    limit: float,
+    progress: Callable[[int, int], None],
+) -> list[Outcome]:
+    from rdkit.Chem import MolToMolBlock
+
+    jobs = [
+        Job(
+            contender.name,
+            {"block": MolToMolBlock(one.known.start), "count": asked, "limit": limit},
+            {},
+        )
+        for one in subjects
+    ]
+    return run_jobs(jobs, _WALL * limit, progress, WORKER)[0]
+
+
+def _run(contender: Contender, count: int, subject: Subject, outcome: Outcome) -> Run:
+    known = subject.known
+    start = subject.distances(known.start.GetConformer().GetPositions()[None])
+    row = Made(known.name, contender.name, count, float(start[0]))
+    frames = outcome.arrays["frames"][:count] if outcome.done else np.zeros((0, 0, 3))
+    if not len(frames):
+        return Run(replace(row, failure=_failure(outcome)))
+    distances = subject.distances(frames)
+    faults = faults_of(known.start, frames)
+    row = replace(
+        row,
+        made=len(frames),
+        nearest=float(distances.min()),
+        seconds=float(outcome.arrays["seconds"]),
+        handedness=int(faults.handedness.sum()),
+        double_bonds=int(faults.double_bonds.sum()),
+        amides=int(faults.amides.sum()),
+        contacts=int(faults.contacts.sum()),
+    )
+    return Run(row, distances, frames)
+
+
+def _failure(outcome: Outcome) -> str:
+    if outcome.event == "died" and signal.SIGVTALRM.name in outcome.message:
+        return "over the limit of CPU time"
+    return "nothing made" if outcome.done else outcome.brief()
+
+
+def _with_strain(runs: list[Run], subjects: Sequence[Subject], count: int) -> list[Run]:
+    """Those of the least count with their strain: above the lowest minimum of all contenders."""
+    found = list(runs)
+    for subject in subjects:
+        mine = [
+            k
+            for k, run in enumerate(runs)
+            if run.row.molecule == subject.known.name and run.row.asked == count and run.row.made
+        ]
+        levels = [energies(subject.known.start, runs[k].frames[:MOST_MINIMISED]) for k in mine]
+        lowest = min((float(low.min()) for _, low in levels if len(low)), default=np.nan)
+        for k, (raw, _) in zip(mine, levels, strict=True):
+            if len(raw):
+                strain = float(np.median(raw) - lowest)
+                found[k] = replace(runs[k], row=replace(runs[k].row, strain=strain))
+    return found
