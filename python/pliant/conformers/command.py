@@ -113,7 +113,7 @@ def main(words: Sequence[str] | None = None) -> int:
 
 def _conformers(arguments: argparse.Namespace) -> int:
     journal = _resumed(arguments) if arguments.go_on is not None else _begun(arguments)
-    source, options = what_was_asked(journal)
+    source, _ = what_was_asked(journal)
     is_quiet = arguments.quiet or arguments.json
     total = _count(source) if sys.stderr.isatty() and not is_quiet else 0
     done = len(journal.outcomes)
@@ -158,10 +158,11 @@ def _begun(arguments: argparse.Namespace) -> Journal:
         embed=arguments.embed,
         salts=arguments.salts,
         amides=arguments.amides,
+        dashes="--",
     )
     if (arguments.file is None) == (arguments.smiles is None):
         raise OptionError("expected FILE or --smiles TEXT, or --continue FILE")
-    options.check("--")
+    options.check()
     output = _output(arguments)
     source = Source(arguments.file or "", arguments.smiles or "", arguments.shard)
     if arguments.smiles is not None or (

@@ -66,7 +66,7 @@ class Journal:
         try:
             notes = _locked(journal, "ab+", output)
             notes.truncate(0)
-            made = cls(output, asked, open(partial, "wb"), notes)
+            made = cls(output, asked, _opened(partial, "wb"), notes)
         except OSError as error:
             raise FileError(f"{printable_name(output)}: {error.strerror}") from None
         made._note({"pliant": _core.version(), **asked})
@@ -94,7 +94,7 @@ class Journal:
                 f"{printable_name(output)}: was begun by another version of Pliant; --overwrite "
                 "begins anew"
             )
-        records = open(partial, "rb+")
+        records = _opened(partial, "rb+")
         size = records.seek(0, os.SEEK_END)
         made = cls(output, asked, records, notes)
         end, lines_end = 0, whole[0][1]
@@ -138,8 +138,12 @@ class Journal:
         self._notes.close()
 
 
+def _opened(path: Path, mode: str) -> IO[bytes]:
+    return open(path, mode)
+
+
 def _locked(path: Path, mode: str, output: Path) -> IO[bytes]:
-    file: IO[bytes] = open(path, mode)
+    file = _opened(path, mode)
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:

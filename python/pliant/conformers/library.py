@@ -122,7 +122,7 @@ def begin(source: Source, options: ConformerOptions, output: Path, overwrite: bo
 
 
 def resume(output: Path) -> Journal:
-    """An unfinished output. Raises as Journal.resume, and InputError where the input has changed."""
+    """An unfinished one. Raises as Journal.resume, and InputError where the input has changed."""
     journal = Journal.resume(output)
     source, _ = what_was_asked(journal)
     known = {name: journal.asked.get(name) for name in ("size", "head")}
@@ -136,7 +136,8 @@ def what_was_asked(journal: Journal) -> tuple[Source, ConformerOptions]:
     """As the journal has it."""
     asked = journal.asked
     first, of = asked["shard"]
-    return Source(asked["file"], asked["smiles"], (first, of)), ConformerOptions(**asked["options"])
+    options = ConformerOptions(**asked["options"], dashes="--")
+    return Source(asked["file"], asked["smiles"], (first, of)), options
 
 
 def complete(journal: Journal, workers: int, on_done: OnDone) -> LibraryDone:

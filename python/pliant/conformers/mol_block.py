@@ -6,11 +6,14 @@ Format: Biovia, CTfile formats (2020). The text must have passed Pliant's reader
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
+
+from pliant._core import Structure
 
 BY_ATOM = ("M  CHG", "M  RAD", "M  ISO")  #: properties of single atoms in V2000
 END = "M  END"
@@ -87,6 +90,15 @@ class MolBlock:
         parts = [_literal(head), *self._atoms(), _literal([*more, END])]
         return "\n".join(parts) + "\n"
 
+    def tags(self) -> list[tuple[str, str]]:
+        """Name and value of each data item that has a name."""
+        found = []
+        for item in re.split("(?:^|\n)>", self.items):
+            head, _, value = item.partition("\n")
+            if "<" in head and ">" in head.rpartition("<")[2]:
+                found.append((head.rpartition("<")[2].partition(">")[0], value.rstrip("\n")))
+        return found
+
     def _atoms(self) -> list[str]:
         if not self.is_v3000:
             return ["%10.4f%10.4f%10.4f" + _literal([after]) for _, after in self.atoms]
@@ -107,6 +119,22 @@ class MolBlock:
 
 def _literal(lines: list[str]) -> str:
     return "\n".join(lines).replace("%", "%%")
+
+
+def block_of(structure: Structure) -> MolBlock:
+    """The record of a structure of up to 999 atoms and bonds; unknown orders are written as 1."""
+    orders = np.maximum(structure.bond_orders, 1).tolist()
+    block = MolBlock(structure.title, "", "", False)
+    block.counts = f"{len(structure):3d}{len(orders):3d}  0  0  0  0  0  0  0  0999 V2000"
+    block.atoms = [("", f" {symbol:<3} 0" + 11 * "  0") for symbol in structure.symbols.tolist()]
+    block.bonds = [(a, b) for a, b in structure.bonds.tolist()]
+    block.bond_texts = [("", f"{order:3d}  0") for order in orders]
+    charged = np.flatnonzero(structure.charges).tolist() if len(structure.charges) else []
+    for first in range(0, len(charged), 8):
+        some = charged[first : first + 8]
+        pairs = "".join(f" {k + 1:3d} {int(structure.charges[k]):3d}" for k in some)
+        block.more.append(f"M  CHG{len(some):3d}{pairs}")
+    return block
 
 
 def filled(form: str, positions: npt.NDArray[np.float64]) -> str:

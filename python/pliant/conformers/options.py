@@ -33,9 +33,17 @@ class ConformerOptions:
     embed: bool = False  #: drawings, and molecules without hydrogens, are made 3-D by RDKit
     salts: str = "largest"  #: of several molecules in a record: the largest, or refuse
     amides: bool = False  #: secondary amides turn, too
+    dashes: str = ""  #: before the names of options in messages: "--" for the command
 
-    def check(self, dashes: str = "") -> None:
+    @property
+    def remedy(self) -> str:
+        """What helps where a molecule is not 3-D and whole."""
+        asked = "--embed" if self.dashes else "embed=True"
+        return f"{asked} makes it 3-D, with hydrogens, by RDKit"
+
+    def check(self) -> None:
         """Raises OptionError naming the option, what was expected and what was found."""
+        dashes = self.dashes
         for name, least in (("most", 1), ("frames", 1), ("starts", 1), ("seed", 0), ("rms", 0)):
             value = getattr(self, name)
             if not least <= value < math.inf:
@@ -51,9 +59,10 @@ class ConformerOptions:
             raise OptionError(
                 f"{dashes}salts: expected {' or '.join(SALTS)}, found {shown(self.salts)}"
             )
-        self._check_energy(dashes)
+        self._check_energy()
 
-    def _check_energy(self, dashes: str) -> None:
+    def _check_energy(self) -> None:
+        dashes = self.dashes
         asked = f"{dashes}energy {self.energy}"
         if self.energy.lower().endswith(".xml"):
             if not Path(self.energy).is_file():
@@ -70,12 +79,11 @@ class ConformerOptions:
         if self.window is not None and self.energy == "none":
             raise OptionError(f"{dashes}window: needs an energy, not {dashes}energy none")
         if self.minimise and self.energy in ("none", "own"):
-            raise OptionError(
-                f"{dashes}minimise: needs MMFF94s, UFF or a force field, not {asked}"
-            )
+            raise OptionError(f"{dashes}minimise: needs MMFF94s, UFF or a force field, not {asked}")
         if self.minimise and self.energy == "auto":
             need(f"{dashes}minimise", "rdkit")
 
     def as_json(self) -> dict[str, Any]:
         """For the journal and ``--json``."""
-        return {one.name: getattr(self, one.name) for one in fields(self)}
+        names = [one.name for one in fields(self) if one.name != "dashes"]
+        return {name: getattr(self, name) for name in names}

@@ -8,10 +8,10 @@ import gzip
 import io
 import lzma
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, cast
+from typing import IO, Any, cast
 
 from pliant._core import FileError, InputError
 
@@ -22,7 +22,11 @@ END = "$$$$"
 MOST_LINES = 200_000  #: of a record: more is no molecule, and must not fill the memory
 HEADERS = ("smiles", "canonical_smiles", "isomeric_smiles")  #: first words of a line of titles
 
-_OPENERS = {b"\x1f\x8b": gzip.open, b"BZ": bz2.open, b"\xfd7": lzma.open}
+_OPENERS: dict[bytes, Callable[[str, str], Any]] = {
+    b"\x1f\x8b": gzip.open,
+    b"BZ": bz2.open,
+    b"\xfd7": lzma.open,
+}
 
 
 @dataclass(frozen=True)
@@ -79,8 +83,8 @@ def read_records(path: str | os.PathLike[str]) -> Iterator[Record]:
 def _opened(name: str) -> IO[str]:
     """Lines of text. Bytes that are not UTF-8 are kept, and written as they were."""
     with open(name, "rb") as file:
-        opener = _OPENERS.get(file.read(2))
-    binary = cast("IO[bytes]", opener(name, "rb") if opener else open(name, "rb"))
+        opener = _OPENERS.get(file.read(2), io.open)
+    binary = cast("IO[bytes]", opener(name, "rb"))
     return io.TextIOWrapper(binary, encoding="utf-8-sig", errors="surrogateescape")
 
 

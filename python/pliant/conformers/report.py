@@ -48,7 +48,8 @@ def _conformers(found: LibraryDone) -> str:
     if options.window is not None:
         why += f" within {options.window:g} kcal/mol"
     few = f"{len(found.short)} of {counted(len(found.done), 'molecule')}"
-    return f"{text}; {few} have fewer than {options.most}: {why}"
+    has = "has" if len(found.short) == 1 else "have"
+    return f"{text}; {few} {has} fewer than {options.most}: {why}"
 
 
 def _drawn(found: LibraryDone) -> str:

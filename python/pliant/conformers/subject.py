@@ -15,14 +15,13 @@ import numpy as np
 from pliant import _core
 from pliant._core import InputError, PliantWarning, Structure
 from pliant._extras import need
-from pliant.conformers.mol_block import MolBlock, filled, parse
+from pliant.conformers.mol_block import MolBlock, block_of, filled, parse
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import Record
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
-REMEDY = "--embed (in Python embed=True) makes it 3-D, with hydrogens, by RDKit"
 AROMATIC = 4  #: order of a bond
 #: Valences in use where nothing is missing, of neutral atoms; a charge adds to that of N, O and
 #: takes from that of C.
@@ -71,7 +70,7 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
     if structure.is_drawing or lacks_hydrogens(structure, block.radicals):
         what = "a 2-D drawing" if structure.is_drawing else "without its hydrogens"
         if not options.embed:
-            raise InputError(f"{record.place}: the molecule is {what}: {REMEDY}")
+            raise InputError(f"{record.place}: the molecule is {what}: {options.remedy}")
         return _embedded_record(record, block, structure, notes, options)
     notes = [note for note in notes if "all atoms have z = 0" not in note]
     return Subject(structure, block, record.name, notes)
@@ -90,7 +89,9 @@ def subject_of_mol(
         notes.append(_salt_note(len(parts), options, place))
         sizes = [(part.GetNumHeavyAtoms(), part.GetNumAtoms()) for part in parts]
         molecule = parts[largest(sizes)]
-        for key, value in whole.GetPropsAsDict(includePrivate=True, autoConvertStrings=False).items():
+        for key, value in whole.GetPropsAsDict(
+            includePrivate=True, autoConvertStrings=False
+        ).items():
             if isinstance(value, str):
                 molecule.SetProp(key, value)
     implicit = any(atom.GetTotalNumHs() for atom in molecule.GetAtoms())
@@ -98,10 +99,30 @@ def subject_of_mol(
     if has_positions and (implicit or not molecule.GetConformer().Is3D()):
         what = "without its hydrogens" if implicit else "a 2-D drawing"
         if not options.embed:
-            raise InputError(f"{place}: the molecule is {what}: {REMEDY}")
+            raise InputError(f"{place}: the molecule is {what}: {options.remedy}")
     if implicit or not has_positions or not molecule.GetConformer().Is3D():
         return _embedded(molecule, name, notes, options, place)
     return _of_whole_mol(molecule, name, notes)
+
+
+def subject_of_structure(structure: Structure, options: ConformerOptions) -> Subject:
+    """Of a structure with bonds, whose bond orders are known."""
+    place = structure.source or structure.title or "the structure"
+    block = block_of(structure)
+    parts, notes = block.components(), list[str]()
+    if len(parts) > 1:
+        kept = parts[largest([(_heavy(structure, part), len(part)) for part in parts])]
+        notes.append(_salt_note(len(parts), options, place))
+        block, is_kept = block.part(kept), "index " + " ".join(map(str, kept))
+        with noted():
+            structure = structure.select(is_kept)
+    if structure.is_drawing or lacks_hydrogens(structure, block.radicals):
+        what = "a 2-D drawing" if structure.is_drawing else "without its hydrogens"
+        raise InputError(
+            f"{place}: the molecule is {what}: "
+            "pliant.conformers(pliant.to_rdkit(structure), embed=True)"
+        )
+    return Subject(structure, block, structure.title, notes)
 
 
 def _of_whole_mol(molecule: Mol, name: str, notes: list[str]) -> Subject:
@@ -146,7 +167,7 @@ def _embedded_record(
     notes: list[str],
     options: ConformerOptions,
 ) -> Subject:
-    need("--embed", "rdkit")
+    need(f"{options.dashes}embed", "rdkit")
     from rdkit import Chem
 
     form = block.form()
@@ -184,7 +205,8 @@ def _heavy(structure: Structure, part: list[int]) -> int:
 def _salt_note(parts: int, options: ConformerOptions, place: str) -> str:
     if options.salts == "refuse":
         raise InputError(
-            f"{place}: expected one molecule, found {parts}; --salts largest keeps the largest"
+            f"{place}: expected one molecule, found {parts}; {options.dashes}salts largest keeps "
+            "the largest"
         )
     return f"the largest of {parts} molecules is kept"
 

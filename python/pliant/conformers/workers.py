@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import gzip
 import signal
 from collections.abc import Iterable, Iterator
@@ -74,10 +75,8 @@ class _Worker:
 
     def give(self, record: Record) -> None:
         self.record = record
-        try:
+        with contextlib.suppress(OSError):  # where it has ended take() says so
             self.ours.send(record)
-        except OSError:
-            pass  # it has ended: take() says so
 
     def take(self) -> Outcome | BaseException:
         record, self.record = self.record, None
