@@ -47,7 +47,7 @@ class ConformerOptions:
         for name, least in (("most", 1), ("frames", 1), ("starts", 1), ("seed", 0), ("rms", 0)):
             value = getattr(self, name)
             if not least <= value < math.inf:
-                called = "max" if dashes and name == "most" else name
+                called = name if name != "most" else "max" if dashes else "n"
                 raise OptionError(
                     f"{dashes}{called}: expected a number from {least}, found {shown(value)}"
                 )
