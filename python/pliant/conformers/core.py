@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from pliant import _core
 from pliant._core import Structure
-from pliant._extras import MissingPackageError, need
+from pliant._extras import is_there
 
 FRAMES = 1000  #: candidates drawn of a molecule, from all of its starts
 HYDROGEN = 1
@@ -49,17 +49,14 @@ def draw(starts: Sequence[Structure], frames: int, seed: int, **options: Any) ->
 
 def more_starts(structure: Structure, count: int, seed: int) -> list[Structure]:
     """`count` starts with other lengths and angles; the first is the structure itself."""
-    try:
-        need("more starts", "rdkit")
-    except MissingPackageError:
+    if count == 1 or not is_there("rdkit"):
         return [structure]
     from pliant.adapters.rdkit import to_rdkit
     from pliant.adapters.smiles import embed
 
     starts = [structure]
-    molecule = to_rdkit(structure) if count > 1 else None
+    molecule = to_rdkit(structure)
     for k in range(1, count):
-        assert molecule is not None
         if not embed(molecule, seed + k):
             break
         start = copy(structure)

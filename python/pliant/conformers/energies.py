@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from pliant._core import InputError, Structure
+from pliant._extras import is_there
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
@@ -43,7 +43,7 @@ def energy_of(name: str, structure: Structure, molecule: Callable[[], Mol]) -> E
     `molecule` makes that of RDKit, and is asked for where RDKit is to work. Raises InputError where
     the force field lacks parameters.
     """
-    if name in ("none", "own") or (name == "auto" and find_spec("rdkit") is None):
+    if name in ("none", "own") or (name == "auto" and not is_there("rdkit")):
         return None
     if name.lower().endswith(".xml"):
         return _of_openmm(name, structure)

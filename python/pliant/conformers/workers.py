@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import gzip
+import re
 import signal
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -58,7 +59,8 @@ def outcome_of(record: Record, options: ConformerOptions, is_zipped: bool) -> Ou
 
 
 def _without_place(text: str, record: Record) -> str:
-    return text.removeprefix(record.place).removeprefix(": ").strip()
+    text = text.removeprefix(record.place)
+    return re.sub(r"^:(\d+)?:? ", lambda at: f"line {at[1]}: " if at[1] else "", text)
 
 
 class _Worker:

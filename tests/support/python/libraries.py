@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from rdkit import Chem
 from rdkit.Chem import AllChem
 
@@ -34,6 +36,7 @@ def record(made, name, **tags):
     return Chem.MolToMolBlock(made) + items + "$$$$\n"
 
 
+@cache
 def library(count):
     """The text of a library, with names and two data items."""
     made = [embedded(smiles) for smiles in SMILES]
