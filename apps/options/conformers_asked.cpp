@@ -14,11 +14,11 @@ namespace pliant::app {
 namespace {
 
 constexpr std::array<std::string_view, 12> only_conformers{
-    "--smiles",   "--max",   "-n",      "--starts", "--rms",    "--window",
+    "--smiles", "--max",      "-n",      "--starts", "--rms",    "--window",
     "--energy", "--minimise", "--embed", "--salts",  "--amides", "--shard"};
-constexpr std::array<std::string_view, 10> of_both{"-o",     "--output",    "--continue", "--frames",
-                                                   "--seed", "--threads",   "--json",     "--quiet",
-                                                   "--verbose", "--overwrite"};
+constexpr std::array<std::string_view, 10> of_both{
+    "-o",        "--output", "--continue", "--frames",  "--seed",
+    "--threads", "--json",   "--quiet",    "--verbose", "--overwrite"};
 
 bool has(const auto& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();

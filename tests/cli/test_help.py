@@ -49,7 +49,17 @@ PAGES = {
 }
 #: whose --help shows a part of their options
 WITH_MORE = (
-    *("analyse", "check", "conformers", "contacts", "ensemble", "experiment", "forcegen", "info", "order"),
+    *(
+        "analyse",
+        "check",
+        "conformers",
+        "contacts",
+        "ensemble",
+        "experiment",
+        "forcegen",
+        "info",
+        "order",
+    ),
     *("path", "representatives", "rigidity", "run", "sample", "structgen", "study"),
 )
 PAGES |= {f"pliant-{name}-all": [name, "--help-all"] for name in WITH_MORE}

@@ -46,7 +46,9 @@ def fingerprint(path: Path) -> dict[str, Any]:
 class Journal:
     """An output that is being written. Leaves both files behind unless it was published."""
 
-    def __init__(self, output: Path, asked: dict[str, Any], records: IO[bytes], notes: IO[bytes]):
+    def __init__(
+        self, output: Path, asked: dict[str, Any], records: IO[bytes], notes: IO[bytes]
+    ) -> None:
         self.output, self.asked = output, asked
         self.outcomes: list[Outcome] = []
         self._records, self._notes = records, notes

@@ -11,7 +11,6 @@ pytest.importorskip("rdkit")
 from rdkit import Chem
 from rdkit.Chem import AllChem
 
-
 #: frames as they are drawn; without it an SDF is made by pliant conformers
 RAW = ("--sampler", "torsions")
 
@@ -88,7 +87,9 @@ def named(pliant, tmp_path, smiles):
     made = Chem.AddHs(Chem.MolFromSmiles(smiles))
     AllChem.EmbedMolecule(made, randomSeed=7)
     Chem.MolToMolFile(made, str(tmp_path / "rings.sdf"))
-    ended = pliant("sample", "rings.sdf", "-o", "out.sdf", *RAW, "--frames", 2, "--json", "--overwrite")
+    ended = pliant(
+        "sample", "rings.sdf", "-o", "out.sdf", *RAW, "--frames", 2, "--json", "--overwrite"
+    )
     return json.loads(ended.out)
 
 

@@ -24,9 +24,9 @@ Structure largest_molecule(const Structure& structure, const Log& log) {
   const auto kept = static_cast<std::uint32_t>(std::ranges::max_element(sizes) - sizes.begin());
   std::vector<bool> is_out(structure.size());
   for (std::size_t k = 0; k < structure.size(); ++k) is_out[k] = parts.of_node[k] != kept;
-  log.note("the largest of " + std::to_string(parts.count) + " molecules is kept: " +
-           std::to_string(sizes[kept].second) + " of " + std::to_string(structure.size()) +
-           " atoms");
+  log.note("the largest of " + std::to_string(parts.count) +
+           " molecules is kept: " + std::to_string(sizes[kept].second) + " of " +
+           std::to_string(structure.size()) + " atoms");
   return without_atoms(structure, is_out).structure;
 }
 

@@ -31,8 +31,7 @@ TEST(LargestMolecule, IsKeptWithItsBondsAndCharges) {
   EXPECT_EQ(kept.size(), 4u);
   EXPECT_EQ(kept.bonds.size(), 3u);
   EXPECT_EQ(kept.charges, (std::vector<std::int8_t>{0, -1, 0, 0}));
-  EXPECT_EQ(notes, std::vector<std::string>{
-                       "the largest of 3 molecules is kept: 4 of 6 atoms"});
+  EXPECT_EQ(notes, std::vector<std::string>{"the largest of 3 molecules is kept: 4 of 6 atoms"});
 }
 
 TEST(LargestMolecule, LeavesOtherFormatsAlone) {
