@@ -26,8 +26,8 @@ def test_unknown_command_suggests_the_nearest(pliant):
     assert ended.err == (
         'pliant: no command named "inffo" (did you mean "info"?); '
         "known: study, sample, conformers, analyse, rigidity, demo, path, run, representatives, "
-        "compare, check, ensemble, play, watch, info, contacts, convert, recover, techniques, order, "
-        "forcegen, bench, experiment, structgen\n"
+        "compare, check, ensemble, play, watch, info, contacts, convert, recover, techniques, "
+        "order, forcegen, bench, experiment, structgen\n"
     )
 
 
