@@ -161,3 +161,13 @@ def test_isotopes_radicals_charges_and_name_are_kept(pliant, tmp_path, version):
             assert [getattr(atom, what)() for atom in record.GetAtoms()] == [
                 getattr(atom, what)() for atom in made.GetAtoms()
             ], what
+
+
+def test_of_a_salt_the_largest_molecule_is_sampled(pliant, tmp_path):
+    made = Chem.AddHs(Chem.MolFromSmiles("CCCC(=O)[O-].[Na+].O"))
+    AllChem.EmbedMolecule(made, randomSeed=1)
+    Chem.MolToMolFile(made, str(tmp_path / "salt.sdf"))
+    ended = pliant("sample", "salt.sdf", "-o", "out.h5md", "--frames", 2)
+    assert ended.code == 0
+    assert "2 by sampler torsions" in ended.out
+    assert ended.err == "note: the largest of 3 molecules is kept: 13 of 17 atoms\n"
