@@ -38,11 +38,13 @@ class Outcome:
     text: bytes = b""  #: the records to write
 
 
-def outcome_of(record: Record, options: ConformerOptions, is_zipped: bool) -> Outcome:
+def outcome_of(
+    record: Record, options: ConformerOptions, is_zipped: bool, threads: int = 1
+) -> Outcome:
     """Makes the conformers of a record; errors become the reason why there are none."""
     outcome = Outcome(record.number, record.name)
     try:
-        made = make(subject_of(record, options), options)
+        made = make(subject_of(record, options), options, threads)
         text = as_sdf(made).encode("utf-8", "surrogateescape")
     except MissingPackageError:
         raise
@@ -130,7 +132,7 @@ def outcomes(
     if first is None:
         return
     if second is None:
-        yield outcome_of(first, options, is_zipped)
+        yield outcome_of(first, options, is_zipped, workers)
         return
     pool = [_Worker(options, is_zipped) for _ in range(workers)]
     try:

@@ -83,7 +83,7 @@ def test_bytes_do_not_depend_on_threads_or_compression(pliant, with_broken, tmp_
     assert not list(tmp_path.glob(".*"))
 
 
-@pytest.mark.parametrize("name", ["out.sdf", "out.sdf.gz"])
+@pytest.mark.parametrize("name", ["out.sdf", pytest.param("out.sdf.gz", marks=pytest.mark.long)])
 def test_a_killed_run_goes_on_to_the_same_bytes(pliant, command, with_broken, tmp_path, name):
     words = ["conformers", with_broken, *map(str, FAST), "--threads", "2"]
     assert pliant(*words, "-o", f"whole-{name}").code == 3
