@@ -83,19 +83,37 @@ def test_bytes_do_not_depend_on_threads_or_compression(pliant, with_broken, tmp_
     assert not list(tmp_path.glob(".*"))
 
 
-@pytest.mark.parametrize("name", ["out.sdf", pytest.param("out.sdf.gz", marks=pytest.mark.long)])
-def test_a_killed_run_goes_on_to_the_same_bytes(pliant, command, with_broken, tmp_path, name):
-    words = ["conformers", with_broken, *map(str, FAST), "--threads", "2"]
-    assert pliant(*words, "-o", f"whole-{name}").code == 3
+def stopped(command, words, folder, name, number):
+    """Sends a signal to a run that has committed some molecules; its exit code and messages."""
     with subprocess.Popen(
-        [command, *words, "-o", name], cwd=tmp_path, stderr=subprocess.DEVNULL
+        [command, *words, "-o", name], cwd=folder, stderr=subprocess.PIPE, text=True
     ) as run:
-        journal = tmp_path / f".{name}.journal"
+        journal = folder / f".{name}.journal"
         for _ in range(6000):
             if journal.exists() and journal.read_bytes().count(b"\n") > 4:
                 break
             time.sleep(0.01)
-        run.send_signal(signal.SIGKILL)
+        run.send_signal(number)
+        return run.wait(), run.stderr.read()
+
+
+def test_ctrl_c_says_how_to_go_on(command, with_broken, tmp_path):
+    words = ["conformers", with_broken, "--frames", "400", "--threads", "1"]
+    code, said = stopped(command, words, tmp_path, "out.sdf", signal.SIGINT)
+    assert code == 130
+    assert said.splitlines()[-2:] == [
+        "pliant conformers --continue out.sdf goes on",
+        "pliant conformers: interrupted",
+    ]
+    assert (tmp_path / ".out.sdf.journal").exists()
+
+
+@pytest.mark.parametrize("name", ["out.sdf", pytest.param("out.sdf.gz", marks=pytest.mark.long)])
+def test_a_killed_run_goes_on_to_the_same_bytes(pliant, command, with_broken, tmp_path, name):
+    words = ["conformers", with_broken, *map(str, FAST), "--threads", "2"]
+    assert pliant(*words, "-o", f"whole-{name}").code == 3
+    assert stopped(command, words, tmp_path, name, signal.SIGKILL)[0] == -signal.SIGKILL
+    journal = tmp_path / f".{name}.journal"
     assert journal.exists()
     assert not (tmp_path / name).exists()
     journal.write_bytes(journal.read_bytes() + b'{"number": 9')  # cut short
@@ -119,7 +137,7 @@ def test_a_killed_run_goes_on_to_the_same_bytes(pliant, command, with_broken, tm
     assert not list(tmp_path.glob(".*"))
 
 
-def test_what_has_changed_is_not_continued(pliant, with_broken, tmp_path):
+def test_what_is_damaged_or_has_changed_is_not_continued(pliant, command, with_broken, tmp_path):
     (tmp_path / ".out.sdf.partial").write_bytes(b"")
     (tmp_path / ".out.sdf.journal").write_bytes(b"{}")
     ended = pliant("conformers", "--continue", "out.sdf")
@@ -127,7 +145,14 @@ def test_what_has_changed_is_not_continued(pliant, with_broken, tmp_path):
         "pliant conformers: error: out.sdf: its unfinished run is damaged; --overwrite begins "
         "anew\n"
     )
-    assert pliant("conformers", with_broken, "-o", "out.sdf", *FAST, "--overwrite").code == 3
+    words = ["conformers", with_broken, *map(str, FAST), "--threads", "1", "--overwrite"]
+    assert stopped(command, words, tmp_path, "out.sdf", signal.SIGKILL)[0] == -signal.SIGKILL
+    (tmp_path / with_broken).write_text(library(3))
+    ended = pliant("conformers", "--continue", "out.sdf")
+    assert (ended.code, ended.err) == (
+        1,
+        "pliant conformers: error: library.sdf: is not the file that out.sdf was begun with\n",
+    )
 
 
 def test_shards_hold_all_records(pliant, with_broken, tmp_path):
