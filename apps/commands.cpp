@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -30,6 +31,8 @@ constexpr Command commands[] = {
      nullptr},
     {moving, "sample", "make an ensemble of a protein, or conformers of a small molecule",
      command_sample},
+    {moving, "conformers", "make ranked conformers of small molecules: SDF or SMILES in, SDF out",
+     nullptr},
     {moving, "analyse", "make an HTML report, figures and tables of a trajectory", nullptr},
     {moving, "rigidity",
      "count degrees of freedom: which parts of a molecule are rigid, which flexible",
@@ -105,19 +108,10 @@ int refuse_unknown(const std::string& name) {
 }
 
 int run_external(const std::string& name, const Arguments& arguments) {
-  const std::string path = find_external(name);
-  for (const Command& command : commands) {
-    if (command.name != name || !path.empty()) continue;
-    std::fprintf(stderr,
-                 "pliant: %s is part of the Python package: install it (pip install pliant), "
-                 "so that pliant-%s is on PATH\n",
-                 name.c_str(), name.c_str());
-    return exit_failed;
-  }
-  if (path.empty()) return refuse_unknown(name);
-  become(path, arguments);
-  std::perror(("pliant: " + path).c_str());
-  return exit_failed;
+  const auto is_it = [&](const Command& command) { return command.name == name; };
+  const bool is_ours = std::ranges::any_of(commands, is_it);
+  if (!is_ours && find_external(name).empty()) return refuse_unknown(name);
+  return run_program(name, arguments);
 }
 
 int print_completion(const Arguments& words) {

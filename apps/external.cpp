@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -93,6 +94,19 @@ int run_with_input(const std::string& path, const Arguments& arguments, const st
   write_all(ends[1], input);
   close(ends[1]);
   return exit_code_of(child, path);
+}
+
+int run_program(const std::string& name, const Arguments& arguments) {
+  const std::string path = find_external(name);
+  if (path.empty()) {
+    std::fprintf(stderr,
+                 "pliant: %s is part of the Python package: install it (pip install pliant), "
+                 "so that pliant-%s is on PATH\n",
+                 name.c_str(), name.c_str());
+    return exit_failed;
+  }
+  become(path, arguments);
+  fail_to_run(path);
 }
 
 void become(const std::string& path, const Arguments& arguments) {

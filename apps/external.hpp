@@ -19,6 +19,10 @@ void set_own_path(const std::string& path);
 /// FileError with the system's reason if it cannot be run.
 int run_with_input(const std::string& path, const Arguments& arguments, const std::string& input);
 
+/// Replaces this process by the program pliant-NAME of the Python package. If there is none, says
+/// how to install it and returns an exit code. Throws FileError if it cannot be run.
+int run_program(const std::string& name, const Arguments& arguments);
+
 /// Replaces this process by the program at `path`. Returns only if that fails.
 void become(const std::string& path, const Arguments& arguments);
 

@@ -5,8 +5,10 @@
 
 #include "command.hpp"
 #include "commands/continue_sample.hpp"
+#include "external.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "options/conformers_asked.hpp"
 #include "options/sample_settings.hpp"
 #include "output/frame_output.hpp"
 #include "output/output_files.hpp"
@@ -108,6 +110,7 @@ SampledSystem system_of(const PlannedSample& planned) {
 }  // namespace
 
 int command_sample(const Arguments& arguments) {
+  if (asks_for_conformers(arguments)) return run_program("conformers", arguments);
   CommandLine line(
       "pliant sample",
       "Makes an ensemble: independent frames around the structure in the file, each with\n"
@@ -120,7 +123,8 @@ int command_sample(const Arguments& arguments) {
       "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
       "  pliant sample protein.pdb --amplitude nmr_models.pdb\n"
       "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
-      "  pliant sample drug.sdf -o conformers.sdf            torsions, rings\n"
+      "  pliant sample drug.sdf --frames 200                 torsions, rings\n"
+      "  pliant sample library.sdf -o conformers.sdf         ranked: see pliant conformers\n"
       "  pliant sample --continue ensemble.h5md              after Ctrl-C or a crash\n"
       "  pliant sample --continue ensemble.h5md --frames 2000\n"
       "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a frame could not be made and\n"

@@ -12,6 +12,7 @@
 #include "output/output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/model/prepare/largest_molecule.hpp"
 #include "pliant/molecule/drawing.hpp"
 #include "pliant/tasks/asked_amplitude.hpp"
 
@@ -112,8 +113,9 @@ void complete(SampleSettings& settings) {
 }
 
 MolecularModel load_model(SampleSettings& settings, const Log& log) {
-  const Structure structure = read(settings.molecule, log);
+  Structure structure = read(settings.molecule, log);
   refuse_drawing(structure);
+  if (usual_model(structure) == ModelKind::molecule) structure = largest_molecule(structure, log);
   settings.molecule.kind.name =
       settings.model == "auto" ? entry(usual_model(structure)).name : settings.model;
   check(settings.molecule.kind);

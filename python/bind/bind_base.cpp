@@ -20,7 +20,8 @@ nb::object& warning_class() {
 void describe(nb::handle type, const char* text) { type.attr("__doc__") = text; }
 
 bool is_ours(nb::handle frame) {
-  const auto name = nb::cast<std::string>(nb::str(frame.attr("f_globals")["__name__"]));
+  const auto name =
+      nb::cast<std::string>(nb::str(frame.attr("f_globals").attr("get")("__name__", "")));
   return name == "pliant" || name.starts_with("pliant.");
 }
 

@@ -133,13 +133,14 @@ if TYPE_CHECKING:
     from pliant.analyse import analyse
     from pliant.check import check
     from pliant.compare import compare
+    from pliant.conformers import conformers
     from pliant.convert import convert
     from pliant.path import path
     from pliant.representatives import representatives
     from pliant.study import study
 else:
     # Packages that are called; what they need beyond NumPy and h5py is imported when they are.
-    from pliant import analyse, check, compare, convert, path, representatives, study
+    from pliant import analyse, check, compare, conformers, convert, path, representatives, study
 
 __all__ = [
     "ContactKindEntry",
@@ -200,6 +201,7 @@ __all__ = [
     "check",
     "choose_technique",
     "compare",
+    "conformers",
     "constraints_from_openmm",
     "contact_kinds",
     "contacts",

@@ -38,7 +38,7 @@ def need(what: str, *packages: str, extra: str = "") -> None:
     `extra` is what to install; that of the package by default.
     """
     for package in packages:
-        if not _is_there(package):
+        if not is_there(package):
             raise _missing(what, package, extra)
 
 
@@ -59,7 +59,8 @@ def needed_by(what: str, extra: str = "", inside: bool = False) -> Iterator[None
         raise _missing(what, package, extra) from None
 
 
-def _is_there(package: str) -> bool:
+def is_there(package: str) -> bool:
+    """Whether a package is installed, without importing it."""
     try:
         return importlib.util.find_spec(package) is not None
     except (ImportError, ValueError):  # hidden by a finder, or by None in sys.modules

@@ -23,6 +23,7 @@ PAGES = {
     "pliant-study": ["study", "--help"],
     "pliant-techniques": ["techniques", "--help"],
     "pliant-check": ["check", "--help"],
+    "pliant-conformers": ["conformers", "--help"],
     "pliant-analyse": ["analyse", "--help"],
     "pliant-representatives": ["representatives", "--help"],
     "pliant-compare": ["compare", "--help"],
@@ -50,7 +51,17 @@ PAGES = {
 }
 #: whose --help shows a part of their options
 WITH_MORE = (
-    *("analyse", "check", "contacts", "ensemble", "experiment", "forcegen", "info", "order"),
+    *(
+        "analyse",
+        "check",
+        "conformers",
+        "contacts",
+        "ensemble",
+        "experiment",
+        "forcegen",
+        "info",
+        "order",
+    ),
     *("path", "representatives", "rigidity", "run", "sample", "structgen", "study"),
 )
 PAGES |= {f"pliant-{name}-all": [name, "--help-all"] for name in WITH_MORE}

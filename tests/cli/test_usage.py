@@ -25,9 +25,9 @@ def test_unknown_command_suggests_the_nearest(pliant):
     assert ended.code == 2
     assert ended.err == (
         'pliant: no command named "inffo" (did you mean "info"?); '
-        "known: study, sample, analyse, rigidity, demo, path, run, representatives, compare, "
-        "check, ensemble, play, watch, info, contacts, convert, recover, techniques, order, "
-        "forcegen, bench, experiment, structgen\n"
+        "known: study, sample, conformers, analyse, rigidity, demo, path, run, representatives, "
+        "compare, check, ensemble, play, watch, info, contacts, convert, recover, techniques, "
+        "order, forcegen, bench, experiment, structgen\n"
     )
 
 

@@ -105,6 +105,16 @@ def test_progress_is_a_bar_on_a_terminal_only(monkeypatch, capsys):
     )
 
 
+def test_progress_says_how_many_a_second(monkeypatch, capsys):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    now = iter((0.0, 10.0, 10.0, 14.0))
+    monkeypatch.setattr("time.monotonic", lambda: next(now))
+    with console.progress("molecules", rate=True) as show:
+        show(3, 20)
+        show(13, 20)
+    assert " 13 / 20, 2.5 a second" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("text", ["1025", "10" * 30, "0", "-1", "٣"])
 def test_no_command_begins_thousands_of_processes(text, capsys):
     parse = console.whole_number(1, most=console.MOST_PROCESSES)

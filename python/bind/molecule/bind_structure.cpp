@@ -11,6 +11,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/aromaticity.hpp"
+#include "pliant/molecule/drawing.hpp"
 #include "texts.hpp"
 
 namespace pliant::python {
@@ -221,6 +222,8 @@ void bind_facts(nb::class_<Structure>& structure) {
           "assemblies", [](const Structure& self) { return self.assemblies; },
           "Names of the biological assemblies that the file states; see ``read``.")
       .def_ro("format", &Structure::format, "Name of the file's format.")
+      .def_prop_ro("is_drawing", &is_drawing,
+                   "Whether it is a 2-D drawing rather than a flat molecule such as benzene.")
       .def_ro("model", &Structure::model, "Number of the model or frame, from 1.")
       .def_ro("model_count", &Structure::model_count, "Number of models or frames in the file.")
       .def("label", &label_of, "atom"_a, "Name of an atom in messages: \"A:LYS12:CA\".")

@@ -12,6 +12,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/model/model.hpp"
+#include "pliant/model/prepare/largest_molecule.hpp"
 #include "pliant/molecule/drawing.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/resume/recorded_sample.hpp"
@@ -42,7 +43,8 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model,
   if (!model.empty()) options.kind = choose(models(), "model", model).kind;
   options.prepare.keep = std::move(keep);
   options.log = python_log();
-  return build_model(structure, options);
+  if (options.kind != ModelKind::molecule) return build_model(structure, options);
+  return build_model(largest_molecule(structure, options.log), options);
 }
 
 /// Needs the GIL not to be held.

@@ -17,20 +17,26 @@ LINE_EVERY = 10.0  #: seconds between lines of progress where there is no termin
 
 @contextlib.contextmanager
 def progress(
-    what: str, quiet: bool = False, *, lines: bool = False
+    what: str, quiet: bool = False, *, lines: bool = False, rate: bool = False
 ) -> Iterator[Callable[[int, int], None]]:
     """Gives a function (done, total) that draws a bar over itself: on a terminal, in a notebook.
 
-    Elsewhere nothing is drawn, or with `lines`, for work of minutes, a line now and then.
+    Elsewhere nothing is drawn, or with `lines`, for work of minutes, a line now and then. With
+    `rate` the bar says how many are done in a second.
     """
     shown = not quiet and sys.stderr.isatty()
     bars: list[Bar | None] = []
     last, shown_done = time.monotonic(), -1
+    began: list[tuple[int, float]] = []
 
     def show(done: int, total: int) -> None:
         if shown:
             bar = "#" * (WIDTH * done // max(total, 1))
             text = f"{what}: [{bar:.<{WIDTH}}] {done} / {total}"
+            if rate:
+                began[:] = began or [(done, time.monotonic())]
+                first, at = began[0]
+                text += f", {(done - first) / max(time.monotonic() - at, 1e-3):.1f} a second"
             print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
         elif not quiet and _progress.in_notebook():
             bars[:] = bars or [_progress.begin(what, total)]

@@ -41,21 +41,39 @@ def from_smiles(smiles: str, seed: int = 0) -> Structure:
 def embedded(smiles: str, seed: int = 0) -> Mol:
     """The RDKit molecule of `from_smiles`, with one conformer."""
     need("a SMILES", "rdkit")
+    from rdkit import Chem
+
+    parsed = parsed_smiles(smiles)
+    if len(Chem.GetMolFrags(parsed)) > 1:
+        raise InputError(f"SMILES '{smiles}': expected one molecule, found several ('.')")
+    molecule = Chem.AddHs(parsed)
+    if not embed(molecule, seed):
+        raise InputError(f"SMILES '{smiles}': RDKit found no 3-D structure")
+    molecule.SetProp("_Name", smiles)
+    return molecule
+
+
+def parsed_smiles(smiles: str) -> Mol:
+    """The RDKit molecule of a SMILES. Raises InputError where RDKit cannot read it."""
     from rdkit import Chem, rdBase
-    from rdkit.Chem import rdDistGeom, rdForceFieldHelpers
 
     with rdBase.BlockLogs():
         parsed = Chem.MolFromSmiles(smiles)
-        if parsed is None or parsed.GetNumAtoms() == 0:
-            raise InputError(f"SMILES '{smiles}': expected a molecule, RDKit cannot read it")
-        if len(Chem.GetMolFrags(parsed)) > 1:
-            raise InputError(f"SMILES '{smiles}': expected one molecule, found several ('.')")
-        molecule = Chem.AddHs(parsed)
-        options: Any = rdDistGeom.ETKDGv3()
-        options.randomSeed = seed + 1  # 0 is not a seed
+    if parsed is None or parsed.GetNumAtoms() == 0:
+        raise InputError(f"SMILES '{smiles}': expected a molecule, RDKit cannot read it")
+    return parsed
+
+
+def embed(molecule: Mol, seed: int = 0) -> bool:
+    """Gives a molecule with all its hydrogens one conformer; whether that succeeded."""
+    from rdkit import rdBase
+    from rdkit.Chem import rdDistGeom, rdForceFieldHelpers
+
+    options: Any = rdDistGeom.ETKDGv3()
+    options.randomSeed = seed + 1  # 0 is not a seed
+    with rdBase.BlockLogs():
         if rdDistGeom.EmbedMolecule(molecule, options) != 0:
-            raise InputError(f"SMILES '{smiles}': RDKit found no 3-D structure")
+            return False
         if rdForceFieldHelpers.MMFFOptimizeMolecule(molecule, "MMFF94s", maxIters=2000) < 0:
             rdForceFieldHelpers.UFFOptimizeMolecule(molecule, maxIters=2000)
-    molecule.SetProp("_Name", smiles)
-    return molecule
+    return True

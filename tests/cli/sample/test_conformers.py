@@ -11,6 +11,9 @@ pytest.importorskip("rdkit")
 from rdkit import Chem
 from rdkit.Chem import AllChem
 
+#: frames as they are drawn; without it an SDF is made by pliant conformers
+RAW = ("--sampler", "torsions")
+
 
 @pytest.fixture
 def drug(tmp_path):
@@ -25,7 +28,7 @@ def records(path):
 
 
 def test_conformers_are_records_of_sdf(pliant, drug, tmp_path):
-    ended = pliant("sample", drug, "-o", "conformers.sdf", "--frames", 7, "--verbose")
+    ended = pliant("sample", drug, "-o", "conformers.sdf", *RAW, "--frames", 7, "--verbose")
     assert ended.code == 0
     assert "rotors          6: " in ended.out
     assert "rings           1: " in ended.out
@@ -40,7 +43,7 @@ def test_conformers_are_records_of_sdf(pliant, drug, tmp_path):
 
 
 def test_sdf_and_h5md_have_the_same_conformers(pliant, drug, tmp_path):
-    pliant("sample", drug, "-o", "one.sdf", "--frames", 3)
+    pliant("sample", drug, "-o", "one.sdf", "--frames", 3, *RAW)
     pliant("sample", drug, "-o", "one.h5md", "--frames", 3)
     stored = contents(tmp_path / "one.h5md")["particles/trajectory/position/value"]
     for frame, conformer in zip(stored, records(tmp_path / "one.sdf"), strict=True):
@@ -71,7 +74,7 @@ def test_large_molecules_are_written_as_v3000(pliant, tmp_path):
 
 
 def test_what_moves_is_named_in_json(pliant, drug):
-    ended = pliant("sample", drug, "-o", "out.sdf", "--frames", 2, "--json")
+    ended = pliant("sample", drug, "-o", "out.sdf", *RAW, "--frames", 2, "--json")
     report = json.loads(ended.out)
     assert report["sampler"] == "torsions"
     assert len(report["rotors"]) == 6
@@ -84,7 +87,9 @@ def named(pliant, tmp_path, smiles):
     made = Chem.AddHs(Chem.MolFromSmiles(smiles))
     AllChem.EmbedMolecule(made, randomSeed=7)
     Chem.MolToMolFile(made, str(tmp_path / "rings.sdf"))
-    ended = pliant("sample", "rings.sdf", "-o", "out.sdf", "--frames", 2, "--json", "--overwrite")
+    ended = pliant(
+        "sample", "rings.sdf", "-o", "out.sdf", *RAW, "--frames", 2, "--json", "--overwrite"
+    )
     return json.loads(ended.out)
 
 
@@ -102,7 +107,7 @@ def test_rings_are_named_by_what_they_can_do(pliant, tmp_path):
     assert large["rings"] == large["rigid_rings"] == []
     assert large["loop_units"] > 0
     again = ("--overwrite", "--verbose")
-    table = pliant("sample", "rings.sdf", "-o", "out.sdf", "--frames", 2, *again).out
+    table = pliant("sample", "rings.sdf", "-o", "out.sdf", *RAW, "--frames", 2, *again).out
     assert "rigid units, drawn and closed" in table
 
 
@@ -133,7 +138,7 @@ def test_what_cannot_turn_is_reported(pliant, tmp_path):
     made = Chem.AddHs(Chem.MolFromSmiles("Cn1cnc2c1c(=O)n(C)c(=O)n2C"))
     AllChem.EmbedMolecule(made, randomSeed=7)
     Chem.MolToMolFile(made, str(tmp_path / "caffeine.sdf"))
-    ended = pliant("sample", "caffeine.sdf", "-o", "out.sdf", "--frames", 2)
+    ended = pliant("sample", "caffeine.sdf", "-o", "out.sdf", *RAW, "--frames", 2)
     assert ended.code == 0
     assert "warning: no bond can rotate and no ring has another form" in ended.err
 
@@ -146,7 +151,7 @@ def test_isotopes_radicals_charges_and_name_are_kept(pliant, tmp_path, version):
     made.SetProp("_Name", "labelled amine")
     block = Chem.MolToMolBlock(made) if version == "V2000" else Chem.MolToV3KMolBlock(made)
     (tmp_path / "in.sdf").write_text(block + "$$$$\n")
-    ended = pliant("sample", tmp_path / "in.sdf", "--frames", "3", "-o", tmp_path / "out.sdf")
+    ended = pliant("sample", tmp_path / "in.sdf", "--frames", "3", "-o", tmp_path / "out.sdf", *RAW)
     assert ended.code == 0, ended.err
     records = list(Chem.SDMolSupplier(str(tmp_path / "out.sdf"), removeHs=False))
     assert len(records) == 3
@@ -156,3 +161,13 @@ def test_isotopes_radicals_charges_and_name_are_kept(pliant, tmp_path, version):
             assert [getattr(atom, what)() for atom in record.GetAtoms()] == [
                 getattr(atom, what)() for atom in made.GetAtoms()
             ], what
+
+
+def test_of_a_salt_the_largest_molecule_is_sampled(pliant, tmp_path):
+    made = Chem.AddHs(Chem.MolFromSmiles("CCCC(=O)[O-].[Na+].O"))
+    AllChem.EmbedMolecule(made, randomSeed=1)
+    Chem.MolToMolFile(made, str(tmp_path / "salt.sdf"))
+    ended = pliant("sample", "salt.sdf", "-o", "out.h5md", "--frames", 2)
+    assert ended.code == 0
+    assert "2 by sampler torsions" in ended.out
+    assert ended.err == "note: the largest of 3 molecules is kept: 13 of 17 atoms\n"

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+"""Ranked conformers of small molecules: ``pliant conformers``, ``pliant.conformers``."""
+
+from typing import TYPE_CHECKING
+
+from pliant._callable_package import make_callable
+
+if TYPE_CHECKING:
+    from pliant.conformers.results import Conformers, FailedMolecule
+    from pliant.conformers.suite import conformers
+
+__all__ = ["Conformers", "FailedMolecule", "conformers"]
+
+make_callable(
+    __name__, {"conformers": "suite", "Conformers": "results", "FailedMolecule": "results"}
+)

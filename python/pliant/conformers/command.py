@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: MIT
+"""The command ``pliant conformers``, to which ``pliant sample`` hands small molecules over."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from pliant import console
+from pliant._core import FileError, OptionError
+from pliant._extras import need
+from pliant._processes import ended_by_sigterm, usual_workers
+from pliant.conformers.core import FRAMES
+from pliant.conformers.journal import Journal
+from pliant.conformers.library import Source, begin, complete, resume, what_was_asked
+from pliant.conformers.options import SALTS, ConformerOptions
+from pliant.conformers.records import SDF, format_of, is_library, read_records
+from pliant.conformers.report import lines_of
+from pliant.conformers.workers import Outcome
+
+EXIT_SOME_FAILED = 3
+COMMON = ("--output", "--max", "--rms", "--energy", "--embed", "--smiles", "--continue")
+DESCRIPTION = """\
+Makes conformers of small molecules: a library in, ranked and pruned conformers out, as one SDF
+with the names and data items of the molecules. Candidates are drawn from several starts (torsions,
+rings, large rings closed), without overlaps; those that are alike are left out. Lengths and angles
+are those of the start, unless a force field minimises (--minimise)."""
+
+EPILOG = """\
+FILE is an SDF or MOL file (V2000, V3000) in 3-D with hydrogens, of any number of records, or lines
+of a SMILES and a name (.smi), which RDKit makes 3-D; each also as .gz, .bz2 or .xz. Of a salt the
+largest molecule is kept. A record that cannot be used is named with the reason, and the rest goes
+on. The output does not depend on --threads; after a kill --continue gives the same bytes.
+
+Each conformer has the data items pliant_conformer (from 1, best first), pliant_start,
+pliant_energy with pliant_energy_name, and pliant_worst_bar (largest error of a held length).
+
+Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 some records failed, 130 ended by Ctrl-C.
+
+examples:
+  pliant conformers library.sdf -o out.sdf
+  pliant conformers library.smi.gz -o out.sdf.gz --max 20 --window 10
+  pliant conformers --smiles "CC(=O)Oc1ccccc1C(=O)O" -o aspirin.sdf
+  pliant conformers drawings.sdf --embed -o out.sdf --energy MMFF94s --minimise
+  pliant conformers --continue out.sdf              after Ctrl-C or a crash
+  pliant conformers library.sdf --shard 3/16 -o part03.sdf     on the 3rd of 16 machines
+"""
+
+
+def make_parser() -> console.Parser:
+    """The options of pliant conformers."""
+    usual = ConformerOptions()
+    parser = console.Parser("conformers", DESCRIPTION, EPILOG, COMMON)
+    add = parser.add_argument
+    add("file", metavar="FILE", nargs="?", help="SDF, MOL or SMILES file")
+    add("--smiles", metavar="TEXT", help="instead of FILE: one molecule, through RDKit")
+    text = "SDF to write, or .sdf.gz (default: FILE's name-conformers.sdf)"
+    add("-o", "--output", metavar="FILE", help=text)
+    text = "go on with an unfinished output, as if it had never stopped"
+    add("--continue", dest="go_on", metavar="FILE", help=text)
+    whole = console.whole_number
+    text = f"conformers of a molecule, at most (default: {usual.most})"
+    add("-n", "--max", metavar="N", type=whole(1), default=usual.most, help=text)
+    text = f"candidates drawn of a molecule, from all starts together (default: {FRAMES})"
+    add("--frames", metavar="N", type=whole(1), default=FRAMES, help=text)
+    text = f"starts with lengths and angles of their own (default: {usual.starts}); 1: as given"
+    add("--starts", metavar="N", type=whole(1), default=usual.starts, help=text)
+    text = f"leave out what is nearer to a better one, Angstrom, heavy atoms (default: {usual.rms})"
+    add("--rms", metavar="X", type=float, default=usual.rms, help=text)
+    text = "leave out what is more than X kcal/mol above the lowest (default: keep all)"
+    add("--window", metavar="X", type=float, help=text)
+    text = (
+        "rank by auto (MMFF94s, else UFF, through RDKit where installed, else own), none, MMFF94s, "
+        "UFF, own, or a force field of OpenMM (FILE.xml) (default: auto)"
+    )
+    add("--energy", metavar="NAME", default=usual.energy, help=text)
+    text = "minimise by the energy: lengths and angles are then the force field's"
+    add("--minimise", action="store_true", help=text)
+    text = "make drawings, and molecules without hydrogens, 3-D by RDKit"
+    add("--embed", action="store_true", help=text)
+    text = "several molecules in a record: keep the largest (default), or refuse"
+    add("--salts", choices=SALTS, default=usual.salts, help=text)
+    text = "let secondary amides be cis and trans, too"
+    add("--amides", action="store_true", help=text)
+    add("--seed", metavar="N", type=whole(0, most=2**31 - 1), default=0, help="seed (default: 0)")
+    text = "only each n-th record from the i-th on, to share a library among machines"
+    add("--shard", metavar="i/n", type=_shard, default=(1, 1), help=text)
+    text = "processes (default: as many as cores); changes no result"
+    most = console.MOST_PROCESSES
+    add("--threads", metavar="N", type=whole(1, most=most), default=usual_workers(), help=text)
+    add("--overwrite", action="store_true", help="replace an existing or unfinished output")
+    add("--json", action="store_true", help="print the summary as one JSON object")
+    add("--quiet", action="store_true", help="print nothing but errors")
+    add("--verbose", action="store_true", help="print notes on each molecule")
+    return parser
+
+
+def _shard(text: str) -> tuple[int, int]:
+    first, _, of = text.partition("/")
+    if first.isdecimal() and of.isdecimal() and 1 <= int(first) <= int(of):
+        return int(first), int(of)
+    raise argparse.ArgumentTypeError(f"expected i/n with i from 1 to n, found '{text}'")
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit code."""
+    parser = make_parser()
+    arguments = parser.parse_args(words)
+    return console.run_command("conformers", lambda: _conformers(arguments))
+
+
+def _conformers(arguments: argparse.Namespace) -> int:
+    journal = _resumed(arguments) if arguments.go_on is not None else _begun(arguments)
+    source, _ = what_was_asked(journal)
+    is_quiet = arguments.quiet or arguments.json
+    total = _count(source) if sys.stderr.isatty() and not is_quiet else 0
+    done = len(journal.outcomes)
+
+    def on_done(outcome: Outcome) -> None:
+        nonlocal done
+        done += 1
+        show(done, total)
+        if not arguments.json:
+            _say(outcome, arguments.verbose)
+
+    try:
+        with (
+            ended_by_sigterm("conformers"),
+            console.progress("molecules", is_quiet, rate=True) as show,
+        ):
+            found = complete(journal, arguments.threads, on_done)
+    except (KeyboardInterrupt, SystemExit):
+        again = f"pliant conformers --continue {console.printable_name(journal.output)}"
+        print(f"{again} goes on", file=sys.stderr)
+        raise
+    if arguments.json:
+        console.print_json(found.as_json())
+    elif not arguments.quiet and found.conformers:
+        print("\n".join(lines_of(found)))
+    if not found.conformers:
+        print("pliant conformers: error: no record gave a conformer", file=sys.stderr)
+        return console.EXIT_FAILED
+    return EXIT_SOME_FAILED if found.failed else console.EXIT_OK
+
+
+def _begun(arguments: argparse.Namespace) -> Journal:
+    options = ConformerOptions(
+        most=arguments.max,
+        frames=arguments.frames,
+        starts=arguments.starts,
+        rms=arguments.rms,
+        window=arguments.window,
+        energy=arguments.energy,
+        minimise=arguments.minimise,
+        seed=arguments.seed,
+        embed=arguments.embed,
+        salts=arguments.salts,
+        amides=arguments.amides,
+        dashes="--",
+    )
+    if (arguments.file is None) == (arguments.smiles is None):
+        raise OptionError("expected FILE or --smiles TEXT, or --continue FILE")
+    options.check()
+    output = _output(arguments)
+    source = Source(arguments.file or "", arguments.smiles or "", arguments.shard)
+    if arguments.smiles is not None or (
+        is_library(arguments.file) and format_of(arguments.file) not in SDF
+    ):
+        need("a SMILES", "rdkit")
+    if options.embed:
+        need("--embed", "rdkit")
+    return begin(source, options, output, arguments.overwrite)
+
+
+def _output(arguments: argparse.Namespace) -> Path:
+    if arguments.output is None:
+        if arguments.file is None:
+            raise OptionError("--smiles: needs --output FILE.sdf")
+        name = Path(arguments.file).name
+        return Path(name[: name.lower().rindex(format_of(name))] + "-conformers.sdf")
+    output = Path(arguments.output)
+    if format_of(output) != ".sdf" or output.suffix.lower() not in (".sdf", ".gz"):
+        raise OptionError(f"--output {output}: expected a name that ends in .sdf or .sdf.gz")
+    if not output.parent.is_dir():
+        raise FileError(f"--output {output}: there is no folder {output.parent}")
+    return output
+
+
+def _resumed(arguments: argparse.Namespace) -> Journal:
+    usual = vars(make_parser().parse_args([]))
+    free = ("go_on", "threads", "json", "quiet", "verbose")
+    for name, value in vars(arguments).items():
+        if name not in free and value != usual[name]:
+            given = f"--{name}" if name != "file" else value
+            raise OptionError(f"{given}: --continue goes on with what was asked for before")
+    return resume(Path(arguments.go_on))
+
+
+def _count(source: Source) -> int:
+    if source.smiles:
+        return 1
+    first, of = source.shard
+    return len(range(first, sum(1 for _ in read_records(source.file)) + 1, of))
+
+
+def _say(outcome: Outcome, is_verbose: bool) -> None:
+    who = f"record {outcome.number}" + (f" ({outcome.name})" if outcome.name else "")
+    if outcome.reason:
+        console.warn(f"{who}: {outcome.reason}")
+    for text in outcome.notes if is_verbose else ():
+        console.note(f"{who}: {text}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""The conformers of one molecule: starts, candidates, energies, and those that are kept."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+from pliant.conformers import core
+from pliant.conformers.energies import OWN, energy_of
+from pliant.conformers.mol_block import filled
+from pliant.conformers.options import ConformerOptions
+from pliant.conformers.subject import Subject, noted
+
+
+@dataclass
+class Made:
+    """What was made of one molecule, best first."""
+
+    subject: Subject
+    positions: npt.NDArray[np.float64]  #: (n, N, 3) Angstrom
+    starts: npt.NDArray[np.int64]  #: (n,) from 0
+    energies: npt.NDArray[np.float64] | None  #: (n,) kcal/mol
+    energy_name: str  #: in words; "" where none was asked for
+    worst_bar: float  #: Angstrom; nan once a force field has minimised
+    asked: int
+    minimised: bool = False
+    notes: list[str] = field(default_factory=list)
+    seconds: dict[str, float] = field(default_factory=dict)  #: by stage
+
+
+def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
+    """The conformers of a molecule. Raises InputError and OptionError as the library does."""
+    seconds: dict[str, float] = {}
+    more = {"turn_amides": True} if options.amides else {}
+    with noted() as notes:
+        with _timed(seconds, "starts"):
+            starts = core.more_starts(subject.structure, options.starts, options.seed)
+        with _timed(seconds, "draw"):
+            drawn = core.draw(starts, options.frames, options.seed, threads=threads, **more)
+        with _timed(seconds, "energy"):
+            energy = energy_of(options.energy, subject.structure, lambda: subject.molecule)
+            energies = drawn.score
+            if energy is not None:
+                energies = np.array([energy.of(one) for one in drawn.positions])
+        positions, of_start = drawn.positions, drawn.start
+        limits = options.most, options.rms, options.window
+        with _timed(seconds, "choose"):
+            kept = core.choose(subject.structure, positions, energies, *limits)
+            positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
+        if options.minimise and energy is not None:
+            with _timed(seconds, "minimise"):
+                positions = np.array([energy.minimised(one) for one in positions])
+                energies = np.array([energy.of(one) for one in positions])
+                kept = core.choose(subject.structure, positions, energies, *limits)
+                positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
+    has_energy = options.energy != "none"
+    name = energy.name if energy is not None else OWN if has_energy else ""
+    minimised = options.minimise and energy is not None
+    return Made(
+        subject,
+        positions,
+        of_start,
+        energies if has_energy else None,
+        name,
+        np.nan if minimised else drawn.worst_bar,
+        options.most,
+        minimised,
+        subject.notes + notes,
+        seconds,
+    )
+
+
+def as_sdf(made: Made) -> str:
+    """The conformers as records of an SDF, with the data items of the molecule and of ours."""
+    subject = made.subject
+    parts = []
+    for k, positions in enumerate(made.positions):
+        parts += [filled(subject.form, positions), subject.block.items]
+        parts += [f"> <{name}>\n{value}\n\n" for name, value in items_of(made, k)]
+        parts.append("$$$$\n")
+    return "".join(parts)
+
+
+def items_of(made: Made, k: int) -> list[tuple[str, str]]:
+    """Name and value of each data item of conformer k."""
+    items = [("pliant_conformer", str(k + 1)), ("pliant_start", str(made.starts[k] + 1))]
+    if made.energies is not None:
+        items.append(("pliant_energy", f"{made.energies[k]:.3f}"))
+        items.append(("pliant_energy_name", made.energy_name))
+    if made.minimised:
+        items.append(("pliant_lengths", "minimised: lengths and angles are the force field's"))
+    else:
+        items.append(("pliant_worst_bar", f"{made.worst_bar:.1e} Angstrom"))
+    return items
+
+
+@contextmanager
+def _timed(seconds: dict[str, float], stage: str) -> Iterator[None]:
+    began = time.process_time()
+    yield
+    seconds[stage] = seconds.get(stage, 0.0) + time.process_time() - began

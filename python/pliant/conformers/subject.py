@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: MIT
+"""One molecule that is ready to be drawn from: 3-D, one component, with its hydrogens."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant import _core
+from pliant._core import InputError, PliantWarning, Structure
+from pliant._extras import need
+from pliant.conformers.mol_block import MolBlock, block_of, filled, parse
+from pliant.conformers.options import ConformerOptions
+from pliant.conformers.records import Record
+
+if TYPE_CHECKING:
+    from rdkit.Chem import Mol
+
+AROMATIC = 4  #: order of a bond
+#: Valences in use where nothing is missing, of neutral atoms; a charge adds to that of N, O and
+#: takes from that of C.
+_VALENCES = {6: 4, 7: 3, 8: 2}
+
+
+@dataclass
+class Subject:
+    """A molecule, and how its conformers are written."""
+
+    structure: Structure
+    block: MolBlock
+    name: str = ""
+    notes: list[str] = field(default_factory=list)
+    given: Mol | None = None  #: RDKit's own, where it was given or made
+
+    @cached_property
+    def form(self) -> str:
+        """The record with places for coordinates."""
+        return self.block.form()
+
+    @cached_property
+    def molecule(self) -> Mol:
+        """RDKit's molecule, with all hydrogens. Raises InputError where it cannot be made."""
+        if self.given is not None:
+            return self.given
+        text = filled(self.form, self.structure.positions)
+        return _read_by_rdkit(text, self.name or "the molecule")
+
+
+def subject_of(record: Record, options: ConformerOptions) -> Subject:
+    """The molecule of a record. Raises InputError, which says what is wrong and what helps."""
+    if record.is_smiles:
+        return _of_smiles(record, options)
+    with noted() as notes:
+        structure = _core.read_text(record.text, record.place, format="sdf")
+    block = parse(record.text)
+    parts = block.components()
+    if len(parts) > 1:
+        kept = largest([(_heavy(structure, part), len(part)) for part in parts])
+        notes.append(_salt_note(len(parts), options, record.place))
+        block = block.part(parts[kept])
+        text = filled(block.form(), structure.positions[parts[kept]])
+        with noted():
+            structure = _core.read_text(text, record.place, format="sdf")
+    if structure.is_drawing or lacks_hydrogens(structure, block.radicals):
+        what = "a 2-D drawing" if structure.is_drawing else "without its hydrogens"
+        if not options.embed:
+            raise InputError(f"{record.place}: the molecule is {what}: {options.remedy}")
+        return _embedded_record(record, block, structure, notes, options)
+    notes = [note for note in notes if "all atoms have z = 0" not in note]
+    return Subject(structure, block, record.name, notes)
+
+
+def subject_of_mol(
+    molecule: Mol, options: ConformerOptions, place: str = "the molecule"
+) -> Subject:
+    """Of a molecule of RDKit; one without conformers is embedded, with hydrogens."""
+    from rdkit import Chem
+
+    name = molecule.GetProp("_Name") if molecule.HasProp("_Name") else ""
+    notes, whole = [], molecule
+    parts = Chem.GetMolFrags(molecule, asMols=True)
+    if len(parts) > 1:
+        notes.append(_salt_note(len(parts), options, place))
+        sizes = [(part.GetNumHeavyAtoms(), part.GetNumAtoms()) for part in parts]
+        molecule = parts[largest(sizes)]
+        for key, value in whole.GetPropsAsDict(
+            includePrivate=True, autoConvertStrings=False
+        ).items():
+            if isinstance(value, str):
+                molecule.SetProp(key, value)
+    implicit = any(atom.GetTotalNumHs() for atom in molecule.GetAtoms())
+    has_positions = molecule.GetNumConformers() > 0
+    if has_positions and (implicit or not molecule.GetConformer().Is3D()):
+        what = "without its hydrogens" if implicit else "a 2-D drawing"
+        if not options.embed:
+            raise InputError(f"{place}: the molecule is {what}: {options.remedy}")
+    if implicit or not has_positions or not molecule.GetConformer().Is3D():
+        return _embedded(molecule, name, notes, options, place)
+    return _of_whole_mol(molecule, name, notes)
+
+
+def subject_of_structure(structure: Structure, options: ConformerOptions) -> Subject:
+    """Of a structure with bonds, whose bond orders are known."""
+    place = structure.source or structure.title or "the structure"
+    block = block_of(structure)
+    parts, notes = block.components(), list[str]()
+    if len(parts) > 1:
+        kept = parts[largest([(_heavy(structure, part), len(part)) for part in parts])]
+        notes.append(_salt_note(len(parts), options, place))
+        block, is_kept = block.part(kept), "index " + " ".join(map(str, kept))
+        with noted():
+            structure = structure.select(is_kept)
+    if structure.is_drawing or lacks_hydrogens(structure, block.radicals):
+        what = "a 2-D drawing" if structure.is_drawing else "without its hydrogens"
+        raise InputError(
+            f"{place}: the molecule is {what}: "
+            "pliant.conformers(pliant.to_rdkit(structure), embed=True)"
+        )
+    return Subject(structure, block, structure.title, notes)
+
+
+def _of_whole_mol(molecule: Mol, name: str, notes: list[str]) -> Subject:
+    from rdkit import Chem
+
+    from pliant.adapters.rdkit import from_rdkit
+
+    with noted():
+        structure = from_rdkit(molecule)
+    return Subject(structure, parse(Chem.MolToMolBlock(molecule)), name, notes, molecule)
+
+
+def _of_smiles(record: Record, options: ConformerOptions) -> Subject:
+    need("a SMILES", "rdkit")
+    from pliant.adapters.smiles import parsed_smiles
+
+    try:
+        molecule = parsed_smiles(record.text)
+    except InputError as error:
+        raise InputError(f"{record.place}: {error}") from None
+    molecule.SetProp("_Name", record.name or record.text)
+    return subject_of_mol(molecule, options, record.place)
+
+
+def _embedded(
+    molecule: Mol, name: str, notes: list[str], options: ConformerOptions, place: str
+) -> Subject:
+    from rdkit import Chem
+
+    from pliant.adapters.smiles import embed
+
+    made = Chem.AddHs(Chem.RemoveHs(molecule, sanitize=True))
+    if not embed(made, options.seed):
+        raise InputError(f"{place}: RDKit found no 3-D structure")
+    return _of_whole_mol(made, name, notes)
+
+
+def _embedded_record(
+    record: Record,
+    block: MolBlock,
+    structure: Structure,
+    notes: list[str],
+    options: ConformerOptions,
+) -> Subject:
+    need(f"{options.dashes}embed", "rdkit")
+    from rdkit import Chem
+
+    form = block.form()
+    if structure.is_drawing:  # so that RDKit reads stereo from wedges
+        form = form.replace("  Pliant            3D", "  Pliant            2D", 1)
+    molecule = _read_by_rdkit(filled(form, structure.positions), record.place)
+    if not structure.is_drawing:
+        Chem.AssignStereochemistryFrom3D(molecule)
+    made = _embedded(molecule, record.name, notes, options, record.place)
+    made.block.title, made.block.comment = block.title, block.comment
+    made.block.items = block.items
+    made.notes.append("made 3-D by RDKit, with hydrogens")
+    return made
+
+
+def _read_by_rdkit(text: str, place: str) -> Mol:
+    from rdkit import Chem, rdBase
+
+    with rdBase.BlockLogs():
+        molecule = Chem.MolFromMolBlock(text, removeHs=False)
+    if molecule is None:
+        raise InputError(f"{place}: RDKit does not accept the molecule")
+    return molecule
+
+
+def largest(sizes: list[tuple[int, int]]) -> int:
+    """The part with most heavy atoms, then most atoms; the first of equals."""
+    return max(range(len(sizes)), key=lambda k: (*sizes[k], -k))
+
+
+def _heavy(structure: Structure, part: list[int]) -> int:
+    return int(np.count_nonzero(structure.elements[part] != 1))
+
+
+def _salt_note(parts: int, options: ConformerOptions, place: str) -> str:
+    if options.salts == "refuse":
+        raise InputError(
+            f"{place}: expected one molecule, found {parts}; {options.dashes}salts largest keeps "
+            "the largest"
+        )
+    return f"the largest of {parts} molecules is kept"
+
+
+def lacks_hydrogens(structure: Structure, radicals: set[int]) -> bool:
+    """Whether an atom of C, N or O has valences to spare, as without its hydrogens."""
+    count = len(structure)
+    orders, ends = structure.bond_orders.astype(np.int64), structure.bonds.T
+    aromatic = orders == AROMATIC
+    used, rings = np.zeros(count, np.int64), np.zeros(count, np.int64)
+    for end in ends:
+        np.add.at(used, end, np.where(aromatic, 1, orders))
+        np.add.at(rings, end, aromatic)
+    used += rings > 0
+    charges = structure.charges if len(structure.charges) else np.zeros(count, np.int64)
+    unknown = set(structure.bonds[orders == 0].ravel().tolist()) | radicals
+    for element, valence in _VALENCES.items():
+        wanted = valence - np.abs(charges) if element == 6 else valence + charges
+        short = np.flatnonzero((structure.elements == element) & (used < wanted))
+        if set(short.tolist()) - unknown:
+            return True
+    return False
+
+
+@contextmanager
+def noted() -> Iterator[list[str]]:
+    """A list that warnings of ours within go to, each once, instead of to the screen."""
+    notes: list[str] = []
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        yield notes
+    texts = [str(one.message) for one in caught if issubclass(one.category, PliantWarning)]
+    notes += dict.fromkeys(texts)

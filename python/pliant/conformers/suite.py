@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""The function ``pliant.conformers``."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from pliant._core import Error, OptionError, Structure
+from pliant._extras import MissingPackageError, need
+from pliant._processes import usual_workers
+from pliant._refusals import shown
+from pliant.conformers.core import FRAMES
+from pliant.conformers.make import make
+from pliant.conformers.options import ConformerOptions
+from pliant.conformers.records import is_library, read_records, smiles_record
+from pliant.conformers.results import Conformers, FailedMolecule
+from pliant.conformers.subject import Subject, subject_of, subject_of_mol, subject_of_structure
+
+if TYPE_CHECKING:
+    from rdkit.Chem import Mol
+
+
+def conformers(
+    molecule: Mol | Structure | str | os.PathLike[str] | Iterable[Any],
+    n: int = 50,
+    *,
+    frames: int = FRAMES,
+    starts: int = 5,
+    rms: float = 0.5,
+    window: float | None = None,
+    energy: str = "auto",
+    minimise: bool = False,
+    seed: int = 0,
+    embed: bool = False,
+    salts: str = "largest",
+    amides: bool = False,
+    threads: int | None = None,
+) -> Any:
+    """Return ranked conformers of a molecule, or an iterator over those of a library.
+
+    Candidates are drawn from several starts without overlaps, those that are alike are left out,
+    and at most `n` are kept, best first. Lengths and angles are those of the start.
+
+    Parameters
+    ----------
+    molecule : rdkit.Chem.Mol, SMILES, Structure, path or iterable
+        One molecule; or a library: the path of an SDF, MOL or SMILES file (also compressed), or an
+        iterable of molecules. A molecule without positions is embedded by RDKit, with hydrogens.
+    n : int
+        Conformers, at most.
+    frames : int
+        Candidates drawn, from all starts together.
+    starts : int
+        Structures with lengths and angles of their own to draw from; 1: as given.
+    rms : float
+        Conformers nearer than this to a better one are left out (Angstrom, heavy atoms); 0: none.
+    window : float, optional
+        Those more than this above the lowest energy are left out (kcal/mol).
+    energy : str
+        ``"auto"`` (MMFF94s, else UFF, through RDKit where it is installed, else our own),
+        ``"none"``, ``"MMFF94s"``, ``"UFF"``, ``"own"``, or the path of a force field of OpenMM
+        (.xml).
+    minimise : bool
+        Minimise by the energy: lengths and angles are then the force field's.
+    seed : int
+        Of all that is drawn.
+    embed : bool
+        Make 2-D drawings, and molecules without hydrogens, 3-D by RDKit.
+    salts : str
+        Of several molecules in one: ``"largest"`` is kept, or ``"refuse"``.
+    amides : bool
+        Secondary amides are cis and trans, too.
+    threads : int, optional
+        Changes no result. By default as many as cores.
+
+    Returns
+    -------
+    rdkit.Chem.Mol, Conformers or iterator
+        A Mol, with its properties and hydrogens, for a Mol or a SMILES: each conformer has the
+        properties pliant_energy (kcal/mol) and pliant_start. Conformers for a Structure. For a
+        library one of these after the other (Conformers for a path), in its order, and a
+        `FailedMolecule`, which is false, for each molecule that fails.
+
+    Raises
+    ------
+    ImportError
+        RDKit or OpenMM is needed and not installed; the message says how to install it.
+    InputError, OptionError, FileError
+        A single molecule cannot be used, or an option is wrong; a library cannot be read.
+    """
+    options = ConformerOptions(
+        n, frames, starts, rms, window, energy, minimise, seed, embed, salts, amides
+    )
+    options.check()
+    workers = usual_workers() if threads is None else threads
+    if isinstance(molecule, (str, os.PathLike)) and _is_path(molecule):
+        return _of_path(molecule, options, workers)
+    if _is_molecule(molecule):
+        return _of_one(molecule, options, workers)
+    if isinstance(molecule, Iterable):
+        return _of_many(molecule, options, workers)
+    raise TypeError(
+        f"molecule = {shown(molecule)}: must be an rdkit.Chem.Mol, a SMILES, a Structure, a path "
+        "or an iterable of molecules"
+    )
+
+
+def _is_path(given: str | os.PathLike[str]) -> bool:
+    return not isinstance(given, str) or is_library(given)
+
+
+def _is_mol(given: object) -> bool:
+    return hasattr(given, "GetConformers") and hasattr(given, "GetAtoms")
+
+
+def _is_molecule(given: object) -> bool:
+    return isinstance(given, (str, Structure)) or _is_mol(given)
+
+
+def _of_one(given: Any, options: ConformerOptions, threads: int) -> Any:
+    made = make(_subject(given, options), options, threads)
+    found = Conformers(made)
+    return found if isinstance(given, Structure) else found.to_rdkit()
+
+
+def _subject(given: Any, options: ConformerOptions) -> Subject:
+    if isinstance(given, str):
+        need("a SMILES", "rdkit")
+        return subject_of(smiles_record(given), options)
+    if isinstance(given, Structure):
+        return subject_of_structure(given, options)
+    return subject_of_mol(given, options)
+
+
+def _of_path(
+    path: str | os.PathLike[str], options: ConformerOptions, threads: int
+) -> Iterator[Conformers | FailedMolecule]:
+    for record in read_records(path):
+        try:
+            yield Conformers(make(subject_of(record, options), options, threads), record.number)
+        except MissingPackageError:
+            raise
+        except (Error, ValueError, RuntimeError) as error:
+            yield FailedMolecule(record.number, record.name, str(error))
+
+
+def _of_many(given: Iterable[Any], options: ConformerOptions, threads: int) -> Iterator[Any]:
+    for number, molecule in enumerate(given, 1):
+        name = ""
+        try:
+            if not _is_molecule(molecule):
+                raise OptionError(
+                    f"molecule {number}: expected an rdkit.Chem.Mol, a SMILES or a Structure, "
+                    f"found {shown(molecule)}"
+                )
+            name = _name(molecule)
+            yield _of_one(molecule, options, threads)
+        except MissingPackageError:
+            raise
+        except (Error, ValueError, RuntimeError) as error:
+            yield FailedMolecule(number, name, str(error))
+
+
+def _name(molecule: Any) -> str:
+    if isinstance(molecule, str):
+        return molecule
+    if isinstance(molecule, Structure):
+        return molecule.title
+    return str(molecule.GetProp("_Name")) if molecule.HasProp("_Name") else ""

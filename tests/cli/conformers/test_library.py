@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: MIT
+"""pliant conformers: a library in, ranked conformers out; nothing is lost on the way."""
+
+import bz2
+import gzip
+import json
+import re
+import signal
+import subprocess
+import time
+
+import pytest
+
+pytest.importorskip("rdkit")
+from libraries import embedded, library, molecules, record
+from rdkit import Chem
+from rdkit.Chem import AllChem
+
+FAST = ("--frames", 40, "--starts", 2, "--max", 3)
+BROKEN = "broken\n\n\n  1  0\nnot an atom line\n$$$$\n"
+
+
+@pytest.fixture
+def with_broken(tmp_path):
+    """Twenty records, of which the 7th is broken."""
+    records = library(19).split("$$$$\n")[:-1]
+    parts = [one + "$$$$\n" for one in records]
+    (tmp_path / "library.sdf").write_text("".join([*parts[:6], BROKEN, *parts[6:]]))
+    return "library.sdf"
+
+
+def test_a_library_is_complete_but_for_what_is_broken(pliant, with_broken, tmp_path):
+    ended = pliant("conformers", with_broken, "-o", "out.sdf", *FAST, "--json", "--threads", 2)
+    assert ended.code == 3
+    report = json.loads(ended.out)
+    assert report["records"] == 20
+    (failed,) = report["failed"]
+    assert (failed["number"], failed["name"]) == (7, "broken")
+    assert failed["reason"] == (
+        'line 5: atom 1 of 1: x (columns 1-10) "not an ato" is not a finite number'
+    )
+    made = molecules(tmp_path / "out.sdf")
+    assert len(made) == report["conformers"] == sum(one["conformers"] for one in report["made"])
+    names = [one.GetProp("_Name") for one in made]
+    assert list(dict.fromkeys(names)) == [f"molecule {k}" for k in range(1, 20)]
+    assert report["missing"] == 19 * 3 - len(made)
+    starts = {one.GetProp("_Name"): one for one in molecules(tmp_path / with_broken) if one}
+    for one in made:
+        start = starts[one.GetProp("_Name")]
+        assert Chem.MolToSmiles(one) == Chem.MolToSmiles(start)
+        for name in ("pIC50", "note"):
+            assert one.GetProp(name) == start.GetProp(name)
+        assert one.GetProp("pliant_energy_name").startswith("MMFF94s, RDKit ")
+        assert re.fullmatch(r"\d\.\de-\d\d Angstrom", one.GetProp("pliant_worst_bar"))
+    of_first = [one for one in made if one.GetProp("_Name") == "molecule 4"]
+    assert [int(one.GetProp("pliant_conformer")) for one in of_first] == [1, 2, 3]
+    energies = [float(one.GetProp("pliant_energy")) for one in of_first]
+    assert energies == sorted(energies)
+
+
+def test_the_report_has_seven_lines(pliant, with_broken):
+    ended = pliant("conformers", with_broken, "-o", "out.sdf", *FAST)
+    lines = ended.out.splitlines()
+    assert [line.split()[0] for line in lines] == (
+        "input molecules conformers drawn energy time output".split()
+    )
+    assert lines[0] == "input       library.sdf, 20 records"
+    assert lines[1] == "molecules   19 done, 1 failed"
+    assert "have fewer than 3: no more that differ by 0.5 Å" in lines[2]
+    assert "warning: record 7 (broken): " in ended.err
+
+
+def test_bytes_do_not_depend_on_threads_or_compression(pliant, with_broken, tmp_path):
+    pliant("conformers", with_broken, "-o", "one.sdf", *FAST, "--threads", 1)
+    text = (tmp_path / with_broken).read_bytes()
+    (tmp_path / "library.sdf.gz").write_bytes(gzip.compress(text))
+    (tmp_path / "again.sdf.bz2").write_bytes(bz2.compress(text.replace(b"\n", b"\r\n")))
+    pliant("conformers", "library.sdf.gz", "-o", "two.sdf", *FAST, "--threads", 2)
+    pliant("conformers", "again.sdf.bz2", "-o", "three.sdf.gz", *FAST, "--threads", 2)
+    one = (tmp_path / "one.sdf").read_bytes()
+    assert one == (tmp_path / "two.sdf").read_bytes()
+    assert one == gzip.decompress((tmp_path / "three.sdf.gz").read_bytes())
+    assert not list(tmp_path.glob(".*"))
+
+
+def stopped(command, words, folder, name, number):
+    """Sends a signal to a run that has committed some molecules; its exit code and messages."""
+    with subprocess.Popen(
+        [command, *words, "-o", name], cwd=folder, stderr=subprocess.PIPE, text=True
+    ) as run:
+        journal = folder / f".{name}.journal"
+        for _ in range(6000):
+            if journal.exists() and journal.read_bytes().count(b"\n") > 4:
+                break
+            time.sleep(0.01)
+        run.send_signal(number)
+        return run.wait(), run.stderr.read()
+
+
+def test_ctrl_c_says_how_to_go_on(command, with_broken, tmp_path):
+    words = ["conformers", with_broken, "--frames", "400", "--threads", "1"]
+    code, said = stopped(command, words, tmp_path, "out.sdf", signal.SIGINT)
+    assert code == 130
+    assert said.splitlines()[-2:] == [
+        "pliant conformers --continue out.sdf goes on",
+        "pliant conformers: interrupted",
+    ]
+    assert (tmp_path / ".out.sdf.journal").exists()
+
+
+@pytest.mark.parametrize("name", ["out.sdf", pytest.param("out.sdf.gz", marks=pytest.mark.long)])
+def test_a_killed_run_goes_on_to_the_same_bytes(pliant, command, with_broken, tmp_path, name):
+    words = ["conformers", with_broken, *map(str, FAST), "--threads", "2"]
+    assert pliant(*words, "-o", f"whole-{name}").code == 3
+    assert stopped(command, words, tmp_path, name, signal.SIGKILL)[0] == -signal.SIGKILL
+    journal = tmp_path / f".{name}.journal"
+    assert journal.exists()
+    assert not (tmp_path / name).exists()
+    journal.write_bytes(journal.read_bytes() + b'{"number": 9')  # cut short
+    with open(tmp_path / f".{name}.partial", "ab") as file:
+        file.write(b"not committed")
+    refused = pliant(*words, "-o", name)
+    assert refused.code == 1
+    assert refused.err == (
+        f"pliant conformers: error: {name}: an earlier run is unfinished: --continue {name} goes "
+        "on, --overwrite begins anew\n"
+    )
+    ended = pliant("conformers", "--continue", name, "--json")
+    assert ended.code == 3, ended.err
+    report = json.loads(ended.out)
+    assert report["resumed"] > 3
+    assert (report["records"], len(report["failed"])) == (20, 1)
+    assert (tmp_path / name).read_bytes() == (tmp_path / f"whole-{name}").read_bytes()
+    again = pliant("sample", "--continue", "out.sdf")
+    assert again.code == 1
+    assert "out.sdf: nothing to continue: " in again.err
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_what_is_damaged_or_has_changed_is_not_continued(pliant, command, with_broken, tmp_path):
+    (tmp_path / ".out.sdf.partial").write_bytes(b"")
+    (tmp_path / ".out.sdf.journal").write_bytes(b"{}")
+    ended = pliant("conformers", "--continue", "out.sdf")
+    assert ended.err == (
+        "pliant conformers: error: out.sdf: its unfinished run is damaged; --overwrite begins "
+        "anew\n"
+    )
+    words = ["conformers", with_broken, *map(str, FAST), "--threads", "1", "--overwrite"]
+    assert stopped(command, words, tmp_path, "out.sdf", signal.SIGKILL)[0] == -signal.SIGKILL
+    (tmp_path / with_broken).write_text(library(3))
+    ended = pliant("conformers", "--continue", "out.sdf")
+    assert (ended.code, ended.err) == (
+        1,
+        "pliant conformers: error: library.sdf: is not the file that out.sdf was begun with\n",
+    )
+
+
+def test_shards_hold_all_records(pliant, with_broken, tmp_path):
+    pliant("conformers", with_broken, "-o", "whole.sdf", *FAST)
+    parts = []
+    for k in (1, 2, 3):
+        pliant("conformers", with_broken, "-o", f"{k}.sdf", *FAST, "--shard", f"{k}/3")
+        parts += (tmp_path / f"{k}.sdf").read_text().split("$$$$\n")[:-1]
+    whole = (tmp_path / "whole.sdf").read_text().split("$$$$\n")[:-1]
+    assert sorted(parts) == sorted(whole)
+
+
+def test_smiles_files_and_texts(pliant, tmp_path):
+    (tmp_path / "some.smi").write_text("smiles name\nCCCO propanol\n\nCC(=O)O.[Na]\nC1CC ring\n")
+    ended = pliant("sample", "some.smi", "--frames", 20, "--json")
+    assert ended.code == 3
+    report = json.loads(ended.out)
+    assert [one["number"] for one in report["made"]] == [1, 2]
+    assert report["made"][1]["notes"][0] == "the largest of 2 molecules is kept"
+    assert report["failed"] == [
+        {
+            "number": 3,
+            "name": "ring",
+            "reason": "SMILES 'C1CC': expected a molecule, RDKit cannot read it",
+        }
+    ]
+    names = [one.GetProp("_Name") for one in molecules(tmp_path / "some-conformers.sdf")]
+    assert list(dict.fromkeys(names)) == ["propanol", "CC(=O)O.[Na]"]
+    ended = pliant("sample", "--smiles", "C[C@H](F)CO", "-o", "one.sdf", "--frames", 20)
+    assert ended.code == 0
+    assert {Chem.MolToSmiles(Chem.RemoveHs(one)) for one in molecules(tmp_path / "one.sdf")} == {
+        "C[C@H](F)CO"
+    }
+
+
+def test_what_cannot_be_used_is_refused_with_the_remedy(pliant, tmp_path):
+    drawn = Chem.MolFromSmiles("C[C@H](F)CO")
+    AllChem.Compute2DCoords(drawn)
+    bare = Chem.RemoveHs(embedded("C[C@@H](N)CO"))
+    salt = Chem.AddHs(Chem.MolFromSmiles("CCC(=O)[O-].[Na+]"))
+    AllChem.EmbedMolecule(salt, randomSeed=1)
+    parts = ((drawn, "drawn"), (bare, "bare"), (salt, "salt"))
+    (tmp_path / "odd.sdf").write_text("".join(record(*one, ID=one[1]) for one in parts))
+    ended = pliant("conformers", "odd.sdf", "-o", "out.sdf", *FAST, "--salts", "refuse")
+    assert ended.code == 1
+    assert ended.err.splitlines() == [
+        "warning: record 1 (drawn): the molecule is a 2-D drawing: --embed makes it 3-D, with "
+        "hydrogens, by RDKit",
+        "warning: record 2 (bare): the molecule is without its hydrogens: --embed makes it 3-D, "
+        "with hydrogens, by RDKit",
+        "warning: record 3 (salt): expected one molecule, found 2; --salts largest keeps the "
+        "largest",
+        "pliant conformers: error: no record gave a conformer",
+    ]
+    assert not (tmp_path / "out.sdf").exists()
+    ended = pliant("conformers", "odd.sdf", "-o", "out.sdf", *FAST, "--embed", "--verbose")
+    assert ended.code == 0
+    assert "note: record 2 (bare): made 3-D by RDKit, with hydrogens" in ended.err
+    assert "; the largest component was kept of 1 record with several" in ended.out
+    found = {}
+    for one in molecules(tmp_path / "out.sdf"):
+        found.setdefault(one.GetProp("ID"), set()).add(Chem.MolToSmiles(Chem.RemoveHs(one)))
+        assert one.GetProp("ID") == one.GetProp("_Name")
+    assert found == {"drawn": {"C[C@H](F)CO"}, "bare": {"C[C@@H](N)CO"}, "salt": {"CCC(=O)[O-]"}}
+
+
+def test_minimised_conformers_are_said_to_be(pliant, tmp_path):
+    (tmp_path / "one.sdf").write_text(record(embedded("CCCO"), "one"))
+    ended = pliant("conformers", "one.sdf", "-o", "out.sdf", *FAST, "--minimise")
+    assert "; minimised: lengths and angles are the force field's\n" in ended.out
+    for one in molecules(tmp_path / "out.sdf"):
+        assert not one.HasProp("pliant_worst_bar")
+        assert one.GetProp("pliant_lengths") == (
+            "minimised: lengths and angles are the force field's"
+        )

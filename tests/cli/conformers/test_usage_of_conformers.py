@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""pliant conformers: wrong calls; what pliant sample hands over; no RDKit."""
+
+import gzip
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
+FAST = ("--frames", 20, "--starts", 1)
+
+HIDE = """\
+import sys
+class Hidden:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] == "rdkit":
+            raise ModuleNotFoundError("No module named 'rdkit'", name=name)
+sys.meta_path.insert(0, Hidden())
+"""
+
+
+@pytest.fixture
+def two(tmp_path):
+    path = tmp_path / "two.sdf"
+    path.write_text(2 * (CAFFEINE.read_text().split("$$$$")[0].rstrip("\n") + "\n$$$$\n"))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        ("", "expected FILE or --smiles TEXT, or --continue FILE"),
+        ("x.sdf --smiles C", "expected FILE or --smiles TEXT, or --continue FILE"),
+        ("--smiles C", "--smiles: needs --output FILE.sdf"),
+        ("{} --rms -1", "--rms: expected a number from 0, found -1.0"),
+        ("{} --window 0", "--window: expected a number above 0, found 0.0"),
+        ("{} --energy none --window 2", "--window: needs an energy, not --energy none"),
+        (
+            "{} --energy GAFF",
+            "--energy: expected auto, none, MMFF94s, UFF, own or a force field of OpenMM (.xml), "
+            "found 'GAFF'",
+        ),
+        (
+            "{} --energy none --minimise",
+            "--minimise: needs MMFF94s, UFF or a force field, not --energy none",
+        ),
+        ("{} -o out.h5md", "--output out.h5md: expected a name that ends in .sdf or .sdf.gz"),
+        ("{} --max 0", "-n/--max: expected a whole number from 1, found '0'"),
+        ("{} --shard 4/3", "--shard: expected i/n with i from 1 to n, found '4/3'"),
+        ("--continue out.sdf --max 3", "--max: --continue goes on with what was asked for before"),
+    ],
+)
+def test_wrong_options_are_named(pliant, words, error):
+    ended = pliant("conformers", *(word.format(CAFFEINE) for word in words.split()))
+    assert ended.code == 2
+    assert ended.err.splitlines()[0] == f"pliant conformers: error: {error}"
+    assert ended.out == ""
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        ("none.sdf", "none.sdf: No such file or directory"),
+        (
+            "x.pdb",
+            "x.pdb: expected SDF, MOL or SMILES (.sdf, .mol, .smi, each also .gz, .bz2, .xz); "
+            "pliant sample takes other formats",
+        ),
+        ("empty.sdf", "empty.sdf: holds no record"),
+        (
+            "cut.sdf.gz",
+            "cut.sdf.gz: its compression is damaged: Compressed file ended before the "
+            "end-of-stream marker was reached",
+        ),
+        ("two.sdf --shard 3/3", "two.sdf: holds no record in shard 3/3"),
+        ("two.sdf -o there.sdf", "there.sdf: exists; --overwrite replaces it"),
+        ("two.sdf -o no/out.sdf", "--output no/out.sdf: there is no folder no"),
+        ("two.sdf --energy no.xml", "--energy no.xml: there is no such file"),
+        ("--continue other.sdf", "other.sdf: nothing to continue: there is no such run"),
+    ],
+)
+def test_files_that_cannot_be_used(pliant, two, tmp_path, words, error):
+    (tmp_path / "empty.sdf").write_text("\n\n")
+    (tmp_path / "x.pdb").write_text("END\n")
+    (tmp_path / "there.sdf").write_text("")
+    (tmp_path / "cut.sdf.gz").write_bytes(gzip.compress(two.read_bytes())[:-20])
+    ended = pliant("conformers", *words.split())
+    assert (ended.code, ended.err) == (1, f"pliant conformers: error: {error}\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "is_handed_over"),
+    [
+        ("two.sdf -o out.sdf", True),
+        ("two.sdf", True),
+        ("two.sdf --starts 1", True),
+        ("two.sdf.gz", True),
+        ("two.sdf -o out.h5md", False),
+        ("one.sdf -o out.sdf", True),
+        ("one.sdf -o out.sdf --sampler torsions", False),
+        ("one.sdf", False),
+        ("one.sdf --rms 1", True),
+    ],
+)
+def test_what_sample_hands_over(pliant, two, tmp_path, words, is_handed_over):
+    (tmp_path / "one.sdf").write_bytes(CAFFEINE.read_bytes())
+    (tmp_path / "two.sdf.gz").write_bytes(gzip.compress(two.read_bytes()))
+    ended = pliant("sample", *words.split(), "--frames", 2, "--json")
+    assert ended.code == 0, ended.err
+    assert ("records" in json.loads(ended.out)) == is_handed_over
+
+
+@pytest.fixture
+def without_rdkit(pliant, tmp_path):
+    """pliant where RDKit is not installed."""
+    (tmp_path / "hidden").mkdir()
+    (tmp_path / "hidden" / "sitecustomize.py").write_text(HIDE)
+    paths = [str(tmp_path / "hidden"), os.environ.get("PYTHONPATH", "")]
+    env = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
+    return lambda *words: pliant(*words, env=env)
+
+
+def test_three_dimensional_sdf_needs_no_rdkit(without_rdkit, two, tmp_path):
+    ended = without_rdkit("conformers", two, "-o", "out.sdf", *FAST, "--threads", 2)
+    assert (ended.code, ended.err) == (0, "")
+    assert "\nenergy      Pliant's own energy, kcal/mol\n" in ended.out
+    assert (tmp_path / "out.sdf").read_text().count("$$$$") == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "what"),
+    [
+        ("conformers --smiles CCO -o out.sdf", "a SMILES"),
+        ("sample some.smi", "a SMILES"),
+        ("conformers two.sdf --embed", "--embed"),
+        ("conformers two.sdf --energy UFF", "--energy UFF"),
+        ("conformers two.sdf --minimise", "--minimise"),
+    ],
+)
+def test_what_needs_rdkit_says_how_to_install_it(without_rdkit, two, tmp_path, words, what):
+    (tmp_path / "some.smi").write_text("CCO\n")
+    ended = without_rdkit(*words.split())
+    assert ended.code == 2
+    assert ended.err == (
+        f'pliant conformers: error: {what} needs RDKit: pip install "pliant[rdkit]"\n'
+    )
