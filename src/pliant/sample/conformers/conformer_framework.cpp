@@ -12,8 +12,10 @@ namespace {
 
 constexpr double soft_angle = 0.12;  // Angstrom
 constexpr int softened_bonds = 4;
-constexpr double softness = 0.9;    // of least distances
-constexpr double least_soft = 2.6;  // Angstrom: heavy atoms come no nearer
+constexpr double softness = 0.9;  // of least distances
+/// Angstrom: heavy atoms come no nearer than 2.6, as frames are whole up to overlaps of 0.08.
+constexpr double least_heavy = 2.68;
+constexpr std::size_t most_spread = 300;  // atoms: in larger molecules only pairs four bonds apart
 
 /// Pairs of atoms across an amide: at its carbon and at its nitrogen.
 std::vector<Bar> pairs_across(const Amide& amide, const BondChemistry& chemistry) {
@@ -48,38 +50,45 @@ bool has_bar_of(const Framework& framework, const std::vector<Bar>& pairs) {
   });
 }
 
-/// Heavy atoms above `atom` that are four bonds away.
-std::vector<Joint> four_bonds_from(Joint atom, const BondChemistry& chemistry) {
+/// Bonds from `atom` to each heavy atom above it; 0: nearer than four bonds, or farther than `most`.
+std::vector<int> bonds_from(Joint atom, int most, const BondChemistry& chemistry) {
+  std::vector<int> bonds(chemistry.atoms(), -1);
   std::vector<Joint> reached{atom};
-  std::size_t begin = 0;
-  for (int depth = 0; depth < softened_bonds; ++depth) {
-    const std::size_t end = reached.size();
-    for (std::size_t k = begin; k < end; ++k)
-      for (const Link& bond : chemistry.bonds_at(reached[k]))
-        if (std::find(reached.begin(), reached.end(), bond.node) == reached.end())
-          reached.push_back(bond.node);
-    begin = end;
-  }
-  reached.erase(reached.begin(), reached.begin() + std::ptrdiff_t(begin));
-  std::erase_if(reached, [&](Joint other) { return other < atom || chemistry.is_hydrogen(other); });
-  std::sort(reached.begin(), reached.end());
-  return reached;
+  bonds[atom] = 0;
+  for (std::size_t k = 0; k < reached.size() && bonds[reached[k]] < most; ++k)
+    for (const Link& bond : chemistry.bonds_at(reached[k])) {
+      if (bonds[bond.node] >= 0) continue;
+      bonds[bond.node] = bonds[reached[k]] + 1;
+      reached.push_back(bond.node);
+    }
+  for (Joint other = 0; other < bonds.size(); ++other)
+    if (other < atom || bonds[other] < softened_bonds || chemistry.is_hydrogen(other))
+      bonds[other] = 0;
+  return bonds;
 }
 
-/// Angles that cannot open bring such pairs nearer than they are at rest.
-std::shared_ptr<const Sterics> softened(const Sterics& sterics, const BondChemistry& chemistry) {
+/// Angles that cannot open bring pairs four bonds apart nearer than they are at rest. Others keep
+/// apart even where they could form hydrogen bonds, unless they are nearer at the start.
+std::shared_ptr<const Sterics> softened(const Sterics& sterics, const BondChemistry& chemistry,
+                                        std::span<const Vec3> start) {
   Sterics soft = sterics;
   const auto has_own = [&](Joint a, Joint b) {
     return std::any_of(sterics.own.begin(), sterics.own.end(), [&](const OwnDistance& own) {
       return std::minmax(own.a, own.b) == std::minmax(a, b);
     });
   };
-  for (Joint a = 0; a < sterics.kinds.size(); ++a) {
+  const std::size_t atoms = sterics.kinds.size();
+  const int most = atoms > most_spread ? softened_bonds : int(atoms);
+  for (Joint a = 0; a < atoms; ++a) {
     if (chemistry.is_hydrogen(a)) continue;
-    for (Joint b : four_bonds_from(a, chemistry)) {
+    const std::vector<int> bonds = bonds_from(a, most, chemistry);
+    for (Joint b = a + 1; b < atoms; ++b) {
+      if (bonds[b] == 0) continue;
       const double usual = sterics.of_kinds(a, b);
-      const double least = std::max(softness * usual, std::min(usual, least_soft));
-      if (least < usual && !has_own(a, b)) soft.own.push_back({a, b, least});
+      const double soft_least = bonds[b] == softened_bonds ? softness * usual : usual;
+      const double least = std::max(soft_least, least_heavy);
+      if (least == usual || has_own(a, b)) continue;
+      if (least < usual || distance(start[a], start[b]) >= least) soft.own.push_back({a, b, least});
     }
   }
   return std::make_shared<const Sterics>(std::move(soft));
@@ -124,7 +133,7 @@ Framework conformer_framework(const Framework& framework, std::span<const Vec3> 
     parts.bars.push_back(bar);
     parts.rest_lengths.push_back(length);
   }
-  if (parts.sterics != nullptr) parts.sterics = softened(*parts.sterics, chemistry);
+  if (parts.sterics != nullptr) parts.sterics = softened(*parts.sterics, chemistry, start);
   return Framework(std::move(parts));
 }
 

@@ -26,8 +26,9 @@ std::vector<Amide> tertiary_amides(const Framework& framework, const BondChemist
 /// `framework` without the bars across its tertiary amides (1-4), which a turn from cis to trans
 /// would break. Angles at the atoms of puckered rings of five and six become limits, 0.12 Angstrom
 /// to both sides, since they change by some degrees from form to form. Heavy atoms four bonds apart
-/// may come as near as 0.9 of their least distance (but not below 2.6 Angstrom), since angles that
-/// cannot open bring them together. `start` (N, Angstrom).
+/// may come as near as 0.9 of their least distance, since angles that cannot open bring them
+/// together; no heavy atoms four bonds and more apart come nearer than 2.68 Angstrom (overlaps of
+/// 0.08 are let be), unless they are nearer at `start` (N, Angstrom).
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start);
 
 /// The plan of bodies for resolving conformers, in which tertiary amides and rings are rigid even

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double degree = 0.017453292519943295, quarter = 1.5707963267948966;
 constexpr double thermal = 0.593;  // kcal/mol, RT at 298 K
-constexpr double softened = 1.0;   // kcal/mol, of draws
+constexpr double softened = 0.6;   // kcal/mol, of draws
+constexpr double share_of_any = 0.2;  // crystals have unusual ones, too
 constexpr double highest = 5.0;    // kcal/mol, far from all peaks
-constexpr double reach = 1.5;      // widths
+constexpr double reach = 0.8;      // widths
 constexpr double half_of_12 = 0.10510423526567646;  // tangent
 
 Turn of_angle(double radians) {
@@ -105,6 +106,7 @@ Turn drawn_jitter(RandomSequence& draws) {
 }
 
 Turn drawn_usual(RandomSequence& draws, BondTurn kind) {
+  if (draws.uniform() < share_of_any) return drawn_angle(draws);
   const std::vector<PeakDraw>& peaks = draw_of(kind).peaks;
   const double upto = peaks.back().until * draws.uniform();
   const auto peak = std::find_if(peaks.begin(), peaks.end() - 1,

@@ -33,8 +33,8 @@ Turn drawn_jitter(RandomSequence& draws);
 Turn of_half_tangent(double t);
 /// The usual torsion of a kind that is nearest to `torsion`; `torsion` itself if there is none.
 Turn nearest_usual(Turn torsion, BondTurn kind);
-/// A random torsion of a kind other than `ester`: one of its peaks, with probability exp(-E / 1
-/// kcal/mol), which is softer than in crystals, and a deviation of up to 1.5 widths.
+/// A random torsion of a kind other than `ester`: one of its peaks, with probability exp(-E / 0.6
+/// kcal/mol), and a deviation of up to 0.8 widths; one of five is any angle.
 Turn drawn_usual(RandomSequence& draws, BondTurn kind);
 
 /// The energy of a torsion in kcal/mol, smooth, the lowest of its kind 0, at most about 5: -RT ln of

@@ -134,7 +134,7 @@ bool BondChemistry::is_aryl(Joint atom) const {
   const auto bonds = bonds_at(atom);
   return is_in_ring(atom) && bonds.size() == 3 && is_flat(atom) &&
          std::all_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
-           return !is_in_ring(bond.node) || is_flat(bond.node);
+           return !is_ring_bond_[bond.edge] || is_flat(bond.node);
          });
 }
 
@@ -147,7 +147,7 @@ int BondChemistry::heavy_bonds_at(Joint atom) const {
 bool BondChemistry::is_flanked(Joint aryl) const {
   const auto bonds = bonds_at(aryl);
   return std::count_if(bonds.begin(), bonds.end(), [&](const Link& bond) {
-           return is_in_ring(bond.node) && heavy_bonds_at(bond.node) > 2;
+           return is_ring_bond_[bond.edge] && heavy_bonds_at(bond.node) > 2;
          }) > 1;
 }
 

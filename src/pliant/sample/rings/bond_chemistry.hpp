@@ -20,6 +20,7 @@ class BondChemistry {
   /// `start` (N, Angstrom). The framework must outlive it.
   BondChemistry(const Framework& framework, std::span<const Vec3> start);
 
+  std::size_t atoms() const { return is_in_ring_.size(); }
   std::span<const Link> bonds_at(Joint atom) const { return bonds_.at(atom); }
   /// Atomic number; 0 without atoms.
   std::uint8_t element(Joint atom) const;
