@@ -33,13 +33,13 @@ SampleAsked torsions_asked(std::int64_t first, std::int64_t frames, const Confor
   return wanted;
 }
 
-/// Signs of what relaxing must not change.
+/// Signs of what relaxing must not change; nitrogen may invert.
 class Handedness {
  public:
   Handedness(const BondChemistry& chemistry, std::span<const Vec3> x) {
     for (Joint atom = 0; atom < x.size(); ++atom) {
       const auto bonds = chemistry.bonds_at(atom);
-      if (bonds.size() < 3) continue;
+      if (bonds.size() < 3 || chemistry.is_nitrogen(atom)) continue;
       const Corner corner{atom, bonds[0].node, bonds[1].node, bonds[2].node};
       if (std::abs(volume(corner, x)) > least_volume) corners_.push_back(corner);
     }
