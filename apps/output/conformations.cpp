@@ -19,9 +19,10 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
                                               const SampledSystem& system) {
   if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
   const Framework& framework = system.framework;
-  const auto plan = conformer_plan(framework, system.start);
+  const AmideTurns amides = amide_turns(settings.sample);
+  const auto plan = conformer_plan(framework, system.start, amides);
   if (!plan) return std::nullopt;
-  const TorsionMoves moves(framework, *plan, system.start);
+  const TorsionMoves moves(framework, *plan, system.start, amides);
   Conformations found{{}, {}, {}, {}, {}, moves.loop_bodies(), moves.bent() == nullptr};
   for (const Rotor& rotor : moves.rotors())
     found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));

@@ -109,6 +109,15 @@ const SampleField table[] = {
           "exp(-abs(E) / contact_energy).",
       .former = {"temperature", kj_per_kcal}},
      at<&SampleOptions::contact_energy>},
+    {{.name = "turn_amides",
+      .group = group,
+      .summary = "of --sampler torsions: secondary amides, ureas and carbamates turn from cis to\n"
+                 "trans, too, as tertiary amides do anyway",
+      .in_python =
+          "Of sampler ``torsions``: secondary amides, ureas and carbamates turn from cis to\n"
+          "trans, too, as tertiary amides do anyway.",
+      .users = {.page = false}},
+     at<&SampleOptions::turn_amides>},
 };
 
 }  // namespace
@@ -159,7 +168,8 @@ std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters) {
   }
   // Files of 0.3.0 know no sampler that asks for these.
   const NamedParameter added[] = {{"sample/near_frames", std::int64_t{0}},
-                                  {"sample/around", std::string()}};
+                                  {"sample/around", std::string()},
+                                  {"sample/turn_amides", false}};
   for (const NamedParameter& one : added)
     if (std::none_of(parameters.begin(), parameters.end(),
                      [&](const auto& row) { return row.first == one.first; }))

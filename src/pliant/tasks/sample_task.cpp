@@ -88,7 +88,7 @@ SampleSubject subject_of(const MolecularModel& model) {
 SampleTask::SampleTask(SampleSubject subject, const SampleAsked& asked)
     : subject_(std::move(subject)), options_(completed(subject_, asked)) {
   if (!find_sampler(options_.sampler).has_amplitude)
-    conformers_ = conformer_framework(subject_.framework, subject_.start);
+    conformers_ = conformer_framework(subject_.framework, subject_.start, amide_turns(options_));
 }
 
 SampleTask::SampleTask(SampleSubject subject, const SampleOptions& recorded)

@@ -16,11 +16,13 @@ constexpr double kept = 0.08 + 1e-9;  // Angstrom, at which steps end
 class SampleOverlapLaw : public test::SampleLaw {};
 PLIANT_FOR_ALL_SAMPLERS(SampleOverlapLaw);
 
-/// Bonds from an atom to each other, up to 5.
+constexpr int far = 1000;  // no bonds lead there
+
+/// Bonds from an atom to each other.
 std::vector<int> bonds_from(std::uint32_t atom, const AtomGraph& graph, std::size_t atoms) {
-  std::vector<int> apart(atoms, 5);
+  std::vector<int> apart(atoms, far);
   apart[atom] = 0;
-  for (int step = 0; step < 4; ++step)
+  for (int step = 0; std::ranges::count(apart, step) > 0; ++step)
     for (std::uint32_t k = 0; k < atoms; ++k)
       if (apart[k] == step)
         for (const Link& bond : graph.at(k))
@@ -34,7 +36,7 @@ struct Pair {
 };
 
 /// Pairs that are nearer at the start keep the distance that they have there; heavy atoms of
-/// conformers come nearer where they are four bonds apart.
+/// conformers come nearer where they are four bonds apart, but none more than that to 2.68 Angstrom.
 std::vector<Pair> pairs_of(const MolecularModel& model, bool is_soft) {
   const Sterics table = molecular_sterics(model.structure, false);
   const AtomGraph graph(model.structure);
@@ -47,9 +49,10 @@ std::vector<Pair> pairs_of(const MolecularModel& model, bool is_soft) {
       const double usual = table.of_kinds(a, b);
       const double start = distance(model.positions[a], model.positions[b]);
       const bool are_heavy = !graph.is_hydrogen(a) && !graph.is_hydrogen(b);
-      const bool gives_way = is_soft && are_heavy && apart[b] == 4 && start >= usual;
-      const double soft = std::max(0.9 * usual, std::min(usual, 2.6));
-      pairs.push_back({a, b, gives_way ? soft : std::min(usual, start)});
+      const bool is_known = apart[b] == 4 || (apart[b] > 4 && apart[b] < far && atoms <= 300);
+      const double soft = std::max((apart[b] == 4 ? 0.9 : 1.0) * usual, 2.68);
+      const bool is_own = is_soft && are_heavy && is_known && start >= std::max(usual, soft);
+      pairs.push_back({a, b, is_own ? soft : std::min(usual, start)});
     }
   }
   return pairs;

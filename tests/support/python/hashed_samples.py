@@ -31,6 +31,7 @@ OPTIONS = {
     "threads": 2,
     "network": "gnm",
     "contact_energy": 5.0,
+    "turn_amides": True,
 }
 OF_OUTPUT = ({}, {"single": True}, {"compress": True}, {"precision": 0.01}, {"save": "name CA"})
 OF_MODEL = (

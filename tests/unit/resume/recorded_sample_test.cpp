@@ -98,7 +98,8 @@ TEST(RecordedSample, ATemperatureOfVersion030IsAnEnergyInKcal) {
   EXPECT_EQ(read, (std::vector<NamedParameter>{{"sample/seed", std::string("5")},
                                                {"sample/contact_energy", 3.0},
                                                {"sample/near_frames", std::int64_t{0}},
-                                               {"sample/around", std::string()}}));
+                                               {"sample/around", std::string()},
+                                               {"sample/turn_amides", false}}));
 }
 
 TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pliant/sample/rings/ring_moves.hpp"
+#include "pliant/sample/sample_options.hpp"
 
 namespace pliant {
 namespace {
@@ -103,19 +104,28 @@ Bar longest_of(const std::vector<Bar>& pairs, std::span<const Vec3> x) {
 
 }  // namespace
 
-std::vector<Amide> tertiary_amides(const Framework& framework, const BondChemistry& chemistry) {
+AmideTurns amide_turns(const SampleOptions& options) {
+  return options.turn_amides ? AmideTurns::secondary : AmideTurns::tertiary;
+}
+
+std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
+                                  AmideTurns which) {
   std::vector<Amide> found;
   if (framework.atoms() == nullptr) return found;
   for (Joint c = 0; c < framework.joint_count(); ++c)
     for (const Link& bond : chemistry.bonds_at(c))
-      if (chemistry.is_tertiary_amide(c, bond.node)) found.push_back({c, bond.node});
+      if (chemistry.is_tertiary_amide(c, bond.node) ||
+          (which == AmideTurns::secondary && chemistry.heavy_bonds_at(bond.node) == 2 &&
+           chemistry.is_amide(c, bond.node)))
+        found.push_back({c, bond.node});
   return found;
 }
 
-Framework conformer_framework(const Framework& framework, std::span<const Vec3> start) {
+Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
+                              AmideTurns amides) {
   const BondChemistry chemistry(framework, start);
   std::vector<Bar> across;
-  for (const Amide& amide : tertiary_amides(framework, chemistry))
+  for (const Amide& amide : turning_amides(framework, chemistry, amides))
     for (Bar pair : pairs_across(amide, chemistry)) across.push_back(pair);
   const std::vector<Bar> angles = soft_pairs(framework, chemistry, start);
   FrameworkParts parts = framework.parts();
@@ -137,14 +147,15 @@ Framework conformer_framework(const Framework& framework, std::span<const Vec3> 
   return Framework(std::move(parts));
 }
 
-std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start) {
+std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start,
+                                       AmideTurns amides) {
   const BondChemistry chemistry(framework, start);
   FrameworkParts parts = framework.parts();
   parts.limits.clear();
   parts.sterics.reset();
   parts.drawn.assign(start.begin(), start.end());
   std::vector<Bar> added;
-  for (const Amide& amide : tertiary_amides(framework, chemistry)) {
+  for (const Amide& amide : turning_amides(framework, chemistry, amides)) {
     const std::vector<Bar> pairs = pairs_across(amide, chemistry);
     if (!pairs.empty() && !has_bar_of(framework, pairs)) added.push_back(longest_of(pairs, start));
   }

@@ -4,6 +4,7 @@
 // resolved.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,25 +15,38 @@
 
 namespace pliant {
 
-/// A tertiary amide outside of rings, either cis or trans.
+struct SampleOptions;
+
+/// Which amides turn from cis to trans.
+enum class AmideTurns : std::uint8_t {
+  tertiary,   ///< those without hydrogen at N
+  secondary,  ///< those with one as well: amides, ureas, carbamates and their thio analogues
+};
+
+/// Which ones options ask for.
+AmideTurns amide_turns(const SampleOptions& options);
+
+/// An amide outside of rings, either cis or trans.
 struct Amide {
   Joint carbon, nitrogen;
 };
 
-/// The tertiary amides of a molecule (N without hydrogen, bond in no ring), by carbon, then
-/// nitrogen.
-std::vector<Amide> tertiary_amides(const Framework& framework, const BondChemistry& chemistry);
+/// The amides of a molecule that turn (bond in no ring), by carbon, then nitrogen.
+std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
+                                  AmideTurns which);
 
-/// `framework` without the bars across its tertiary amides (1-4), which a turn from cis to trans
+/// `framework` without the bars across its `amides` (1-4), which a turn from cis to trans
 /// would break. Angles at the atoms of puckered rings of five and six become limits, 0.12 Angstrom
 /// to both sides, since they change by some degrees from form to form. Heavy atoms four bonds apart
 /// may come as near as 0.9 of their least distance, since angles that cannot open bring them
 /// together; no heavy atoms four bonds and more apart come nearer than 2.68 Angstrom (overlaps of
 /// 0.08 are let be), unless they are nearer at `start` (N, Angstrom).
-Framework conformer_framework(const Framework& framework, std::span<const Vec3> start);
+Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
+                              AmideTurns amides = AmideTurns::tertiary);
 
-/// The plan of bodies for resolving conformers, in which tertiary amides and rings are rigid even
+/// The plan of bodies for resolving conformers, in which amides that turn and rings are rigid even
 /// without bars that hold them. Nothing if BodyPlan::make gives none.
-std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start);
+std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start,
+                                       AmideTurns amides = AmideTurns::tertiary);
 
 }  // namespace pliant

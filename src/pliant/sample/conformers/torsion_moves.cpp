@@ -63,14 +63,14 @@ void turn_over(const AmideTurn& amide, std::span<Vec3> x) {
 }
 
 TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
-                           std::span<const Vec3> start)
+                           std::span<const Vec3> start, AmideTurns amides)
     : framework_(framework), plan_(plan), start_(start) {
   const BondChemistry chemistry(framework, start);
   find_loops(chemistry);
   find_rings(chemistry);
   find_rigid_systems(chemistry);
   find_amines(chemistry);
-  find_amides(chemistry);
+  find_amides(chemistry, amides);
 }
 
 /// Loops whose joints are all hinges are drawn, others bent.
@@ -206,8 +206,8 @@ void TorsionMoves::find_amines(const BondChemistry& chemistry) {
 }
 
 /// Where a bar still reaches across, it stays as it is.
-void TorsionMoves::find_amides(const BondChemistry& chemistry) {
-  for (const auto& [carbon, nitrogen] : tertiary_amides(framework_, chemistry)) {
+void TorsionMoves::find_amides(const BondChemistry& chemistry, AmideTurns which) {
+  for (const auto& [carbon, nitrogen] : turning_amides(framework_, chemistry, which)) {
     std::vector<Joint> one = chemistry.beyond(carbon, {nitrogen});
     std::vector<Joint> other = chemistry.beyond(nitrogen, {carbon});
     AmideTurn found{carbon, nitrogen, std::move(one.size() < other.size() ? one : other)};

@@ -6,7 +6,7 @@
 //   axial ones become equatorial; handedness (chirality) does not change;
 // - nitrogen of amines inverts: its smallest substituent moves to the other side of the other two
 //   bonds;
-// - tertiary amides turn from cis to trans, where no bar reaches across them;
+// - tertiary amides, and others where asked, turn from cis to trans, where no bar reaches across them;
 // - flexible loops (rings of seven and more) get new torsions and are closed (loop_draws.hpp), or
 //   are bent at random, step by step, if they are only known as bodies (loop_bending.hpp).
 #pragma once
@@ -52,7 +52,8 @@ struct AmideTurn {
 class TorsionMoves {
  public:
   /// All must outlive it. `start` (N, Angstrom).
-  TorsionMoves(const Framework& framework, const BodyPlan& plan, std::span<const Vec3> start);
+  TorsionMoves(const Framework& framework, const BodyPlan& plan, std::span<const Vec3> start,
+               AmideTurns amides = AmideTurns::tertiary);
 
   std::span<const Rotor> rotors() const { return rotors_; }
   std::span<const FlexibleRing> rings() const { return rings_; }
@@ -91,7 +92,7 @@ class TorsionMoves {
   void find_rigid_systems(const BondChemistry& chemistry);
   bool is_in_one_body(std::span<const Joint> atoms) const;
   void find_amines(const BondChemistry& chemistry);
-  void find_amides(const BondChemistry& chemistry);
+  void find_amides(const BondChemistry& chemistry, AmideTurns which);
   /// Whether it is the joint's own place, not a copy at a cut.
   bool is_own(Slot place) const { return plan_.place_of(plan_.joint_at()[place]) == place; }
   bool holds_bars(std::span<const Vec3> x) const;

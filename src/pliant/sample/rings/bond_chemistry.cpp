@@ -171,11 +171,13 @@ bool BondChemistry::is_acyl(Joint atom) const {
 }
 
 bool BondChemistry::is_tertiary_amide(Joint c, Joint n) const {
+  return heavy_bonds_at(n) == 3 && !is_tetrahedral(n) && is_amide(c, n);
+}
+
+bool BondChemistry::is_amide(Joint c, Joint n) const {
   const auto bonds = bonds_at(n);
-  if (!is_acyl(c) || element(n) != 7 || bonds.size() != 3 || is_tetrahedral(n)) return false;
-  if (std::any_of(bonds.begin(), bonds.end(),
-                  [&](const Link& bond) { return is_hydrogen(bond.node); }))
-    return false;
+  if (!is_acyl(c) || element(n) != 7 || bonds.size() != 3) return false;
+  if (heavy_bonds_at(n) < 2) return false;
   const std::vector<Joint> hung = beyond(c, {n});
   return std::none_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
     return bond.node != c && std::find(hung.begin(), hung.end(), bond.node) != hung.end();

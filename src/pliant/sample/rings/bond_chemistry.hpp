@@ -63,6 +63,8 @@ class BondChemistry {
   /// Whether the bond from carbon `c` to nitrogen `n` is that of a tertiary amide: the carbon has
   /// terminal O or S, the nitrogen no hydrogen, both are planar, and the bond is in no ring.
   bool is_tertiary_amide(Joint c, Joint n) const;
+  /// The same, or of a secondary one, whose nitrogen bears one hydrogen and may be a pyramid.
+  bool is_amide(Joint c, Joint n) const;
   /// Whether the bond from carbon `c` to oxygen `o` is that of an ester: O=C-O-R.
   bool is_ester(Joint c, Joint o) const;
   /// Whether it is nitrogen with three bonds that do not lie in a plane, which inverts (an amine).

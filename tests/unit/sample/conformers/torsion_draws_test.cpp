@@ -84,9 +84,9 @@ TEST(TorsionDraws, AnglesAreAnyEvenly) {
 }
 
 TEST(TorsionDraws, TheNearestUsualOne) {
-  EXPECT_NEAR(degrees(nearest_usual(of(75), BondTurn::staggered)), 60.0, 1e-9);
-  EXPECT_NEAR(degrees(nearest_usual(of(121), BondTurn::staggered)), 180.0, 1e-9);
-  EXPECT_NEAR(degrees(nearest_usual(of(300), BondTurn::biaryl_flanked)), 295.0, 1e-9);
+  EXPECT_NEAR(degrees(nearest_usual(of(80), BondTurn::alkyl)), 64.0, 1e-9);
+  EXPECT_NEAR(degrees(nearest_usual(of(125), BondTurn::alkyl)), 180.0, 1e-9);
+  EXPECT_NEAR(degrees(nearest_usual(of(299), BondTurn::biaryl_flanked)), 290.0, 1e-9);
   EXPECT_NEAR(degrees(nearest_usual(of(77), BondTurn::ester)), 77.0, 1e-9);
 }
 
