@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/random.hpp"
 #include "pliant/sample/strain/conformer_energy.hpp"
 #include "pliant/sample/strain/relaxation.hpp"
 #include "pliant/sample/strain/strain.hpp"
@@ -14,6 +15,8 @@
 namespace pliant {
 namespace {
 
+constexpr double furthest_shaken = 1.0;  // Angstrom
+constexpr std::uint64_t tries = 4;         // to shake rings and keep handedness
 constexpr double least_volume = 0.3;  // Angstrom^3, of three bonds: flatter ones have no handedness
 
 MolecularModel molecule_model(Structure structure, const Log& log) {
@@ -63,12 +66,41 @@ class Handedness {
   std::vector<double> volumes_;
 };
 
-/// A conformer of a model, relaxed; its corners keep their handedness, or it is empty.
+/// Atoms of rings that are not flat, each with what hangs on it outside of rings.
+std::vector<std::vector<Joint>> ring_parts(const BondChemistry& chemistry) {
+  std::vector<std::vector<Joint>> parts;
+  for (const std::vector<Bar>& bonds : chemistry.ring_blocks()) {
+    std::vector<Joint> atoms;
+    for (const Bar& bond : bonds) atoms.insert(atoms.end(), {bond.a, bond.b});
+    std::sort(atoms.begin(), atoms.end());
+    atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+    if (std::none_of(atoms.begin(), atoms.end(),
+                     [&](Joint atom) { return chemistry.is_tetrahedral(atom); }))
+      continue;
+    for (Joint atom : atoms) {
+      parts.push_back(chemistry.beyond(atom, atoms));
+      parts.back().push_back(atom);
+    }
+  }
+  return parts;
+}
+
+/// Atoms of rings go up to `furthest` Angstrom from where they are.
+void shake(const BondChemistry& chemistry, double furthest, RandomSequence& draws,
+           std::span<Vec3> x) {
+  for (const std::vector<Joint>& part : ring_parts(chemistry)) {
+    const Vec3 move = (furthest * draws.uniform()) * draws.direction();
+    for (Joint atom : part) x[atom] += move;
+  }
+}
+
+/// A conformer of a model, its rings shaken, relaxed; corners keep their handedness, or it is empty.
 std::vector<Vec3> relaxed(const MolecularModel& model, const BondChemistry& chemistry,
-                          std::span<const Vec3> conformer) {
+                          std::span<const Vec3> conformer, RandomSequence draws) {
   const Strain strain(model.framework, chemistry, model.positions, conformer);
   std::vector<Vec3> x(conformer.begin(), conformer.end());
   const Handedness hands(chemistry, x);
+  shake(chemistry, furthest_shaken, draws, x);
   relax([&](std::span<const Vec3> at, std::span<Vec3> gradient) { return strain.at(at, gradient); },
         {}, x);
   if (!hands.is_kept(x)) x.clear();
@@ -88,6 +120,7 @@ std::vector<MolecularModel> conformer_starts(const Structure& structure, std::in
                                              const ConformersAsked& asked) {
   if (count < 1) throw OptionError("starts = " + std::to_string(count) + ": must be from 1");
   std::vector<MolecularModel> starts;
+  starts.reserve(std::size_t(count));  // what refers to the first must stay valid
   starts.push_back(molecule_model(structure, asked.log));
   if (count == 1) return starts;
   const BondChemistry chemistry(starts[0].framework, starts[0].positions);
@@ -97,9 +130,14 @@ std::vector<MolecularModel> conformer_starts(const Structure& structure, std::in
     found.emplace_back(frame.positions.begin(), frame.positions.end());
     return false;
   });
-  for (const std::vector<Vec3>& conformer : found)
-    if (std::vector<Vec3> x = relaxed(starts[0], chemistry, conformer); !x.empty())
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for (std::uint64_t attempt = 0; attempt < tries; ++attempt) {
+      const RandomSequence draws({asked.seed, Domain::start, attempt, k, 0});
+      std::vector<Vec3> x = relaxed(starts[0], chemistry, found[k], draws);
+      if (x.empty()) continue;
       starts.push_back(molecule_model(moved(starts[0].structure, std::move(x)), {}));
+      break;
+    }
   return starts;
 }
 

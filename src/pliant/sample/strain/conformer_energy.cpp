@@ -8,6 +8,8 @@
 namespace pliant {
 namespace {
 
+// With angles that cannot open, atoms seem nearer than they are, and in vacuum molecules fold up.
+constexpr double softened = 0.8, dispersion_share = 0.5;
 constexpr double threefold_barrier = 1.06;  // kcal/mol, half of UFF's of a C-C bond
 constexpr std::size_t largest_small_ring = 7;
 
@@ -31,7 +33,7 @@ bool is_in_small_ring(const BondChemistry& chemistry, Bar bond) {
 }  // namespace
 
 ConformerEnergy::ConformerEnergy(const Framework& framework, const BondChemistry& chemistry)
-    : dispersion_(framework, chemistry) {
+    : dispersion_(framework, chemistry, {.scale = softened}) {
   if (framework.atoms() == nullptr) return;
   for (Joint a = 0; a < framework.joint_count(); ++a)
     for (const Link& bond : chemistry.bonds_at(a)) {
@@ -62,7 +64,7 @@ double ConformerEnergy::at(std::span<const Vec3> x) const {
   const auto torsion_at = [&](const std::array<Joint, 4>& at) {
     return torsion_gradient(x[at[0]], x[at[1]], x[at[2]], x[at[3]]);
   };
-  double sum = dispersion_.energy(x);
+  double sum = dispersion_share * dispersion_.energy(x);
   for (const UsualTorsion& torsion : usual_)
     if (const auto now = torsion_at(torsion.at))
       sum += torsion_energy(torsion.kind, Turn{now->cosine, now->sine});

@@ -11,7 +11,6 @@ namespace {
 constexpr double most_a_pair = 20.0;      // kcal/mol
 constexpr double nearest_share = 0.25;    // of a squared distance: nearer pairs are as if there
 constexpr double hydrogen_bonded = 0.49;  // share of the squared distance: O..H 2.2 Angstrom
-constexpr int bonds_apart = 3;
 
 struct UffAtom {
   std::uint8_t element;
@@ -33,8 +32,8 @@ UffAtom uff_of(const Framework& framework, Joint atom) {
   return found == std::end(uff) ? carbon : *found;
 }
 
-/// Atoms at most two bonds away.
-std::vector<Joint> near_in_bonds(const BondChemistry& chemistry, Joint atom) {
+/// Atoms fewer bonds away.
+std::vector<Joint> near_in_bonds(const BondChemistry& chemistry, Joint atom, int bonds_apart) {
   std::vector<Joint> found{atom};
   std::size_t begin = 0;
   for (int depth = 1; depth < bonds_apart; ++depth) {
@@ -51,16 +50,19 @@ bool may_bond(const BondChemistry& chemistry, Joint a, Joint b) {
 
 }  // namespace
 
-Dispersion::Dispersion(const Framework& framework, const BondChemistry& chemistry) {
+Dispersion::Dispersion(const Framework& framework, const BondChemistry& chemistry,
+                       const DispersionOptions& options) {
+  const double scale = options.scale * options.scale;
   const auto count = static_cast<Joint>(framework.joint_count());
   for (Joint a = 0; a < count; ++a) {
-    const std::vector<Joint> near = near_in_bonds(chemistry, a);
+    const std::vector<Joint> near = near_in_bonds(chemistry, a, options.bonds_apart);
     const UffAtom one = uff_of(framework, a);
     for (Joint b = a + 1; b < count; ++b) {
       if (std::find(near.begin(), near.end(), b) != near.end()) continue;
       const UffAtom other = uff_of(framework, b);
       const bool bonds = may_bond(chemistry, a, b) || may_bond(chemistry, b, a);
-      pairs_.push_back({a, b, one.distance * other.distance * (bonds ? hydrogen_bonded : 1.0),
+      const double share = bonds ? hydrogen_bonded : 1.0;
+      pairs_.push_back({a, b, scale * share * one.distance * other.distance,
                         std::sqrt(one.depth * other.depth)});
     }
   }

@@ -13,10 +13,16 @@
 
 namespace pliant {
 
+struct DispersionOptions {
+  int bonds_apart = 3;  ///< pairs of atoms that are so many bonds apart, and more
+  double scale = 1.0;   ///< of distances of least energy
+};
+
 class Dispersion {
  public:
-  /// Pairs of atoms three and more bonds apart. Atoms of unknown elements are taken as carbon.
-  Dispersion(const Framework& framework, const BondChemistry& chemistry);
+  /// Atoms of unknown elements are taken as carbon.
+  Dispersion(const Framework& framework, const BondChemistry& chemistry,
+             const DispersionOptions& options);
 
   /// kcal/mol at `x` (N, Angstrom). No pair counts more than 20.
   double energy(std::span<const Vec3> x) const;

@@ -11,6 +11,9 @@ namespace {
 
 // Usual stiffness of single bonds, and of angles at carbon (kcal/mol/Angstrom^2, kcal/mol).
 constexpr double length_stiffness = 350.0, angle_stiffness = 50.0;
+// Angles at rest are so because of atoms three bonds apart, and of others that are near: only what
+// is much nearer counts.
+constexpr double clash_scale = 0.85;
 constexpr double threefold = 1.06;          // kcal/mol, half of UFF's barrier of a C-C bond
 constexpr double planar = 10.0, bent = 0.5;  // kcal/mol: between two flat atoms, beside one
 
@@ -20,7 +23,7 @@ Bar ordered(Joint a, Joint b) { return {std::min(a, b), std::max(a, b)}; }
 
 Strain::Strain(const Framework& framework, const BondChemistry& chemistry,
                std::span<const Vec3> rest, std::span<const Vec3> held)
-    : dispersion_(framework, chemistry) {
+    : dispersion_(framework, chemistry, {.bonds_apart = 4, .scale = clash_scale}) {
   for (Joint a = 0; a < framework.joint_count(); ++a) {
     find_angles(chemistry, a, rest);
     for (const Link& bond : chemistry.bonds_at(a)) {
@@ -46,6 +49,7 @@ void Strain::find_angles(const BondChemistry& chemistry, Joint centre,
 /// The stiffness of a bond is shared among all of its torsions.
 void Strain::find_torsions(const BondChemistry& chemistry, Bar bond, std::span<const Vec3> held) {
   const bool one = chemistry.is_tetrahedral(bond.a), other = chemistry.is_tetrahedral(bond.b);
+  if (one != other && chemistry.is_in_ring(bond.a) && chemistry.is_in_ring(bond.b)) return;
   const auto paths = double((chemistry.bonds_at(bond.a).size() - 1) *
                             (chemistry.bonds_at(bond.b).size() - 1));
   const double whole = one && other ? threefold : (one || other ? bent : planar);
