@@ -14,6 +14,7 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 void bind_base(nb::module_& module);
+void bind_conformers(nb::module_& module);
 void bind_framework(nb::module_& module);
 void bind_ensemble(nb::module_& module);
 void bind_generate(nb::module_& module);

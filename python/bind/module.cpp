@@ -16,6 +16,7 @@ NB_MODULE(_core, module) {
   bind_molecule(module);
   bind_model(module);
   bind_rigidity(module);
+  bind_conformers(module);
   bind_network(module);
   bind_sample(module);
   bind_order(module);

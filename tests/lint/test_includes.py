@@ -47,7 +47,7 @@ WINGS = {
     "perturb": (ITSELF, "force_files"),
     "resolve": ("method", "sweeps", "direct", "blocks", "units", "lanes", "froda"),
     "resolve/froda": ("bodies", "near"),
-    "sample": ("network", "turns", "rings", "conformers", "pocket"),
+    "sample": ("network", "turns", "rings", "conformers", "strain", "choice", "pocket"),
     "record": ("hdf5", "h5md", "xml"),
 }
 

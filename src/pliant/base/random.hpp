@@ -28,6 +28,7 @@ enum class Domain : std::uint64_t {
   torsion = 11,      ///< torsions, rings and flexible loops of a sampled conformer
   turn = 12,         ///< which domains of a sampled frame turn, and how
   pocket = 13,       ///< side chains and segments of a place in a sampled frame
+  start = 14,        ///< how rings of a further start of conformers are shaken
 };
 
 /// Where a random number is used: all of its fields together make the draw.

@@ -14,6 +14,7 @@ namespace pliant {
 namespace {
 
 constexpr int starts = 300;
+constexpr int idle_starts = 40, idle_starts_a_form = 5;  // so many without a new form end it
 constexpr double shift = 1.8;  // Angstrom: how far atoms go at most
 constexpr int system_relaxing_steps = 40;
 constexpr double system_relaxing = 0.05;
@@ -57,11 +58,15 @@ class SystemForms {
   std::vector<RingForm> find() {
     add_form(start_);
     const std::vector<Vec3> flat = flattened(start_);
+    int last = 0;  // that found a form
     for (int k = 0; k < starts && forms_.size() < most_forms; ++k) {
+      if (k - last > idle_starts + idle_starts_a_form * int(forms_.size())) break;
+      const std::size_t known = forms_.size();
       RandomSequence draws({0, Domain::torsion, 0, 0, std::uint64_t(k)});
       std::vector<Vec3> x = k % 2 == 0 ? start_ : flat;
       for (Vec3& point : x) point += (shift * draws.uniform()) * draws.direction();
       if (reach(x)) add_form(std::move(x));
+      if (forms_.size() > known) last = k;
     }
     mark_chairs();
     return std::move(forms_);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// R.m.s.d. between conformers of one molecule: heavy atoms, superposed, the least over the
+// molecule's symmetries.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pliant/base/vec3.hpp"
+#include "pliant/sample/choice/symmetries.hpp"
+
+namespace pliant {
+
+class ShapeDistances {
+ public:
+  /// `symmetries` must outlive it.
+  explicit ShapeDistances(const Symmetries& symmetries) : symmetries_(symmetries) {}
+
+  /// Adds a conformer (N, Angstrom).
+  void add(std::span<const Vec3> x);
+  std::size_t size() const { return squares_.size(); }
+
+  /// Angstrom, between two conformers by their numbers.
+  double between(std::size_t one, std::size_t other) const;
+  /// Whether it is at most `reach` (Angstrom); mostly faster.
+  bool are_within(std::size_t one, std::size_t other, double reach) const;
+
+ private:
+  double mean_square(std::size_t one, std::size_t other,
+                     const std::vector<std::uint32_t>& map) const;
+  std::span<const Vec3> heavy(std::size_t conformer) const;
+
+  const Symmetries& symmetries_;
+  std::vector<Vec3> heavy_;      ///< (conformers * n) from their centre
+  std::vector<double> squares_;  ///< (conformers) sums of squares of these
+};
+
+}  // namespace pliant

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// A torsion and its gradient (A. Blondel, M. Karplus, J. Comput. Chem. 17 (1996) 1132).
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "pliant/base/vec3.hpp"
+
+namespace pliant {
+
+struct TorsionGradient {
+  double cosine, sine;
+  std::array<Vec3, 4> gradient;  ///< radians/Angstrom, with respect to the four points
+};
+
+/// Of i-a-b-j; none where three of them lie on a line.
+std::optional<TorsionGradient> torsion_gradient(Vec3 i, Vec3 a, Vec3 b, Vec3 j);
+
+}  // namespace pliant
