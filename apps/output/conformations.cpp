@@ -19,10 +19,10 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
                                               const SampledSystem& system) {
   if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
   const Framework& framework = system.framework;
-  const AmideTurns amides = amide_turns(settings.sample.turn_amides);
-  const auto plan = conformer_plan(framework, system.start, amides);
+  const ConformerMoves may_move = conformer_moves(settings.sample);
+  const auto plan = conformer_plan(framework, system.start, may_move);
   if (!plan) return std::nullopt;
-  const TorsionMoves moves(framework, *plan, system.start, amides);
+  const TorsionMoves moves(framework, *plan, system.start, may_move);
   Conformations found{{}, {}, {}, {}, {}, moves.loop_bodies(), moves.bent() == nullptr};
   for (const Rotor& rotor : moves.rotors())
     found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));

@@ -31,9 +31,9 @@ std::span<const Vec3> frame_of(const GivenFrames& frames, std::size_t frame) {
 }
 
 nb::tuple draw(const nb::object& structure, std::int64_t starts, std::int64_t frames,
-               std::uint64_t seed) {
+               std::uint64_t seed, bool turn_amides, std::int64_t threads) {
   const auto& given = nb::cast<const Structure&>(structure);
-  const ConformersAsked asked{frames, seed, python_log()};
+  const ConformersAsked asked{frames, seed, turn_amides, threads, python_log()};
   std::vector<MolecularModel> models;
   DrawnConformers drawn;
   {
@@ -97,7 +97,8 @@ nb::object nearest(const nb::object& structure, const GivenFrames& positions,
 
 void bind_conformers(nb::module_& module) {
   using namespace nb::literals;
-  module.def("_draw_conformers", &draw, "structure"_a, "starts"_a, "frames"_a, "seed"_a);
+  module.def("_draw_conformers", &draw, "structure"_a, "starts"_a, "frames"_a, "seed"_a,
+             "turn_amides"_a = false, "threads"_a = 1);
   module.def("_choose_conformers", &choose, "structure"_a, "positions"_a, "energies"_a, "most"_a,
              "rms"_a, "window"_a);
   module.def("_symmetric_rmsd", &nearest, "structure"_a, "positions"_a, "goals"_a);

@@ -12,7 +12,7 @@ from pliant import console
 from pliant._core import FileError, OptionError
 from pliant._extras import need
 from pliant._processes import ended_by_sigterm, usual_workers
-from pliant.conformers.core import FRAMES
+from pliant.conformers.core import A_CONFORMER, FRAMES
 from pliant.conformers.journal import Journal
 from pliant.conformers.library import Source, begin, complete, resume, what_was_asked
 from pliant.conformers.options import SALTS, ConformerOptions
@@ -63,8 +63,11 @@ def make_parser() -> console.Parser:
     whole = console.whole_number
     text = f"conformers of a molecule, at most (default: {usual.most})"
     add("-n", "--max", metavar="N", type=whole(1), default=usual.most, help=text)
-    text = f"candidates drawn of a molecule, from all starts together (default: {FRAMES})"
-    add("--frames", metavar="N", type=whole(1), default=FRAMES, help=text)
+    text = (
+        f"candidates drawn of a molecule, from all starts together (default: {FRAMES}, or "
+        f"{A_CONFORMER} for each conformer of --max)"
+    )
+    add("--frames", metavar="N", type=whole(1), default=None, help=text)
     text = f"starts with lengths and angles of their own (default: {usual.starts}); 1: as given"
     add("--starts", metavar="N", type=whole(1), default=usual.starts, help=text)
     text = f"leave out what is nearer to a better one, Angstrom, heavy atoms (default: {usual.rms})"
@@ -72,8 +75,9 @@ def make_parser() -> console.Parser:
     text = "leave out what is more than X kcal/mol above the lowest (default: keep all)"
     add("--window", metavar="X", type=float, help=text)
     text = (
-        "rank by auto (MMFF94s, else UFF, through RDKit where installed, else own), none, MMFF94s, "
-        "UFF, own, or a force field of OpenMM (FILE.xml) (default: auto)"
+        "rank by own (usual torsions and near atoms), MMFF94s or UFF (of RDKit), auto (MMFF94s, "
+        "else UFF, where RDKit is installed, else own), none, or a force field of OpenMM "
+        "(FILE.xml) (default: own)"
     )
     add("--energy", metavar="NAME", default=usual.energy, help=text)
     text = "minimise by the energy: lengths and angles are then the force field's"

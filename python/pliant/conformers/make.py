@@ -27,7 +27,7 @@ class Made:
     starts: npt.NDArray[np.int64]  #: (n,) from 0
     energies: npt.NDArray[np.float64] | None  #: (n,) kcal/mol
     energy_name: str  #: in words; "" where none was asked for
-    worst_bar: float  #: Angstrom; nan once a force field has minimised
+    worst_bar: float  #: relative; nan once a force field has minimised
     asked: int
     minimised: bool = False
     notes: list[str] = field(default_factory=list)
@@ -37,12 +37,16 @@ class Made:
 def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
     """The conformers of a molecule. Raises InputError and OptionError as the library does."""
     seconds: dict[str, float] = {}
-    more = {"turn_amides": True} if options.amides else {}
     with noted() as notes:
-        with _timed(seconds, "starts"):
-            starts = core.more_starts(subject.structure, options.starts, options.seed)
         with _timed(seconds, "draw"):
-            drawn = core.draw(starts, options.frames, options.seed, threads=threads, **more)
+            drawn = core.draw(
+                subject.structure,
+                options.starts,
+                options.candidates,
+                options.seed,
+                turn_amides=options.amides,
+                threads=threads,
+            )
         with _timed(seconds, "energy"):
             energy = energy_of(options.energy, subject.structure, lambda: subject.molecule)
             energies = drawn.score
@@ -96,7 +100,7 @@ def items_of(made: Made, k: int) -> list[tuple[str, str]]:
     if made.minimised:
         items.append(("pliant_lengths", "minimised: lengths and angles are the force field's"))
     else:
-        items.append(("pliant_worst_bar", f"{made.worst_bar:.1e} Angstrom"))
+        items.append(("pliant_worst_bar", f"{made.worst_bar:.1e}"))
     return items
 
 

@@ -11,7 +11,7 @@ from typing import Any
 from pliant._core import FileError, OptionError
 from pliant._extras import need
 from pliant._refusals import shown
-from pliant.conformers.core import FRAMES
+from pliant.conformers.core import A_CONFORMER, FRAMES
 
 ENERGIES = ("auto", "none", "MMFF94s", "UFF", "own")
 OF_RDKIT = ("MMFF94s", "UFF")
@@ -23,17 +23,22 @@ class ConformerOptions:
     """Options of one molecule's conformers; ranges are checked by `check`."""
 
     most: int = 50  #: conformers of a molecule
-    frames: int = FRAMES  #: candidates drawn, from all starts together
+    frames: int | None = None  #: candidates drawn, from all starts together
     starts: int = 5  #: structures with other lengths and angles to draw from
     rms: float = 0.5  #: Angstrom, heavy atoms; nearer ones are left out
     window: float | None = None  #: kcal/mol above the lowest energy
-    energy: str = "auto"  #: one of ENERGIES, or a force field of OpenMM (.xml)
+    energy: str = "own"  #: one of ENERGIES, or a force field of OpenMM (.xml)
     minimise: bool = False  #: by the energy
     seed: int = 0
     embed: bool = False  #: drawings, and molecules without hydrogens, are made 3-D by RDKit
     salts: str = "largest"  #: of several molecules in a record: the largest, or refuse
     amides: bool = False  #: secondary amides turn, too
     dashes: str = ""  #: before the names of options in messages: "--" for the command
+
+    @property
+    def candidates(self) -> int:
+        """How many are drawn of a molecule."""
+        return self.frames or max(FRAMES, A_CONFORMER * self.most)
 
     @property
     def remedy(self) -> str:
@@ -44,13 +49,17 @@ class ConformerOptions:
     def check(self) -> None:
         """Raises OptionError naming the option, what was expected and what was found."""
         dashes = self.dashes
-        for name, least in (("most", 1), ("frames", 1), ("starts", 1), ("seed", 0), ("rms", 0)):
+        for name, least in (("most", 1), ("starts", 1), ("seed", 0), ("rms", 0)):
             value = getattr(self, name)
             if not least <= value < math.inf:
                 called = name if name != "most" else "max" if dashes else "n"
                 raise OptionError(
                     f"{dashes}{called}: expected a number from {least}, found {shown(value)}"
                 )
+        if self.frames is not None and not self.frames >= 1:
+            raise OptionError(
+                f"{dashes}frames: expected a number from 1, found {shown(self.frames)}"
+            )
         if self.window is not None and not 0 < self.window < math.inf:
             raise OptionError(
                 f"{dashes}window: expected a number above 0, found {shown(self.window)}"

@@ -55,9 +55,9 @@ def _conformers(found: LibraryDone) -> str:
 def _drawn(found: LibraryDone) -> str:
     options = found.options
     if options.starts == 1:
-        return f"{options.frames} candidates a molecule, lengths and angles as given"
+        return f"{options.candidates} candidates a molecule, lengths and angles as given"
     return (
-        f"{options.frames} candidates a molecule from {options.starts} starts, "
+        f"{options.candidates} candidates a molecule from {options.starts} starts, "
         "each with lengths and angles of its own"
     )
 

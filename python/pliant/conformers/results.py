@@ -31,7 +31,7 @@ class Conformers(HasFrames, Displayed):
         self.asked = made.asked  #: conformers asked for; `len` may be less
         self.notes = made.notes  #: what there is to know, such as that a salt was left out
         self.energy_name = made.energy_name  #: in words, with its unit; "" where none was asked for
-        self.worst_bar = made.worst_bar  #: largest error of a held length, Angstrom; nan: minimised
+        self.worst_bar = made.worst_bar  #: largest error of a held length, relative; nan: minimised
         self.starts: npt.NDArray[np.int64] = made.starts  #: (n,) start of each conformer, from 0
         #: (n,) kcal/mol; None where none was asked for
         self.energies: npt.NDArray[np.float64] | None = made.energies
@@ -87,7 +87,7 @@ class Conformers(HasFrames, Displayed):
             spread = float(np.ptp(self.energies))
             facts.append(("energy", f"{self.energy_name}; {spread:.1f} from first to last"))
         if not math.isnan(self.worst_bar):
-            facts.append(("worst bar", f"{self.worst_bar:.1e} Angstrom"))
+            facts.append(("worst bar", f"{self.worst_bar:.1e}"))
         return [*facts, *(("note", note) for note in self.notes)]
 
     def __repr__(self) -> str:

@@ -11,7 +11,6 @@ from pliant._core import Error, OptionError, Structure
 from pliant._extras import MissingPackageError, need
 from pliant._processes import usual_workers
 from pliant._refusals import shown
-from pliant.conformers.core import FRAMES
 from pliant.conformers.make import make
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import is_library, read_records, smiles_record
@@ -26,11 +25,11 @@ def conformers(
     molecule: Mol | Structure | str | os.PathLike[str] | Iterable[Any],
     n: int = 50,
     *,
-    frames: int = FRAMES,
+    frames: int | None = None,
     starts: int = 5,
     rms: float = 0.5,
     window: float | None = None,
-    energy: str = "auto",
+    energy: str = "own",
     minimise: bool = False,
     seed: int = 0,
     embed: bool = False,
@@ -50,8 +49,8 @@ def conformers(
         iterable of molecules. A molecule without positions is embedded by RDKit, with hydrogens.
     n : int
         Conformers, at most.
-    frames : int
-        Candidates drawn, from all starts together.
+    frames : int, optional
+        Candidates drawn, from all starts together. Default: 500, or 2 `n` if that is more.
     starts : int
         Structures with lengths and angles of their own to draw from; 1: as given.
     rms : float
@@ -59,9 +58,9 @@ def conformers(
     window : float, optional
         Those more than this above the lowest energy are left out (kcal/mol).
     energy : str
-        ``"auto"`` (MMFF94s, else UFF, through RDKit where it is installed, else our own),
-        ``"none"``, ``"MMFF94s"``, ``"UFF"``, ``"own"``, or the path of a force field of OpenMM
-        (.xml).
+        ``"own"`` (usual torsions and near atoms), ``"MMFF94s"`` or ``"UFF"`` (of RDKit),
+        ``"auto"`` (MMFF94s, else UFF, where RDKit is installed, else our own), ``"none"``, or the
+        path of a force field of OpenMM (.xml).
     minimise : bool
         Minimise by the energy: lengths and angles are then the force field's.
     seed : int

@@ -247,7 +247,7 @@ SampleSummary sample(const Framework& framework, std::span<const Vec3> start, Ne
   const std::optional<BodyPlan> plan =
       find_sampler(options.sampler).has_amplitude
           ? BodyPlan::make(framework)
-          : conformer_plan(framework, start, amide_turns(options.turn_amides));
+          : conformer_plan(framework, start, conformer_moves(options));
   if (!plan) throw OptionError("sample: the framework has pinned joints, or lies in a plane");
   nodes = coarsened(std::move(nodes));
   SampleSummary summary = Sampling(framework, start, nodes, options, *plan).run(observer);

@@ -35,6 +35,7 @@ struct SampleOptions {
   std::vector<std::uint32_t> around_joints;  ///< what `around` selects, ascending
   /// kcal/mol, for `dilute`: a contact of energy E is off with probability exp(-|E| / this).
   double contact_energy = 3.0;
+  bool ring_systems = true;  ///< for `torsions`: rings that share bonds take other forms
   bool turn_amides = false;  ///< for `torsions`: secondary amides are cis or trans, too
   /// Called between batches of frames, which take up to about a second; true ends the sample.
   std::function<bool()> should_stop = {};

@@ -106,7 +106,7 @@ class TorsionsSampler final : public Sampler {
  public:
   explicit TorsionsSampler(const SamplerSetting& setting)
       : moves_(setting.framework, setting.plan, setting.start,
-               amide_turns(setting.options.turn_amides)),
+               conformer_moves(setting.options)),
         sterics_(setting.framework),
         seed_(setting.options.seed) {
     if (moves_.empty())
@@ -190,6 +190,10 @@ std::string_view usual_sampler(const Framework& framework, std::span<const Vec3>
   if (std::count_if(bodies.begin(), bodies.end(), is_free) > 1) return "modes";
   const TorsionMoves moves(framework, *plan, start);
   return moves.rotors().size() > most_rotors ? "modes" : "torsions";
+}
+
+ConformerMoves conformer_moves(const SampleOptions& options) {
+  return {.secondary_amides = options.turn_amides, .ring_systems = options.ring_systems};
 }
 
 const SamplerEntry& find_sampler(std::string_view name) {

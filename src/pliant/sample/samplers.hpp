@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "pliant/sample/conformers/conformer_framework.hpp"
 #include "pliant/sample/sampler.hpp"
 
 namespace pliant {
@@ -25,6 +26,9 @@ std::span<const SamplerEntry> samplers();
 /// not move molecules against each other.
 std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
                                bool has_residues);
+
+/// What conformers of these options may change.
+ConformerMoves conformer_moves(const SampleOptions& options);
 
 /// The row of that name. Throws OptionError listing the known names.
 const SamplerEntry& find_sampler(std::string_view name);

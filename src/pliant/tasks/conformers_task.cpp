@@ -26,8 +26,13 @@ MolecularModel molecule_model(Structure structure, const Log& log) {
   return build_model(structure, options);
 }
 
-SampleAsked torsions_asked(std::int64_t first, std::int64_t frames, const ConformersAsked& asked) {
+/// The shaken rings of further starts are their other forms.
+SampleAsked torsions_asked(std::int64_t first, std::int64_t frames, bool is_first_start,
+                           const ConformersAsked& asked) {
   SampleAsked wanted;
+  wanted.options.ring_systems = is_first_start;
+  wanted.options.turn_amides = asked.turn_amides;
+  wanted.options.threads = asked.threads;
   wanted.options.sampler = "torsions";
   wanted.options.first_frame = first;
   wanted.options.frames = frames;
@@ -125,7 +130,7 @@ std::vector<MolecularModel> conformer_starts(const Structure& structure, std::in
   if (count == 1) return starts;
   const BondChemistry chemistry(starts[0].framework, starts[0].positions);
   std::vector<std::vector<Vec3>> found;
-  const SampleTask task(subject_of(starts[0]), torsions_asked(0, count - 1, asked));
+  const SampleTask task(subject_of(starts[0]), torsions_asked(0, count - 1, true, asked));
   task.run([&](const Frame& frame) {
     found.emplace_back(frame.positions.begin(), frame.positions.end());
     return false;
@@ -151,7 +156,7 @@ DrawnConformers draw_conformers(std::span<const MolecularModel> starts,
   for (std::int64_t k = 0; k < count; ++k) {
     const std::int64_t first = asked.frames * k / count, last = asked.frames * (k + 1) / count;
     if (first == last) continue;
-    const SampleTask task(subject_of(starts[k]), torsions_asked(first, last - first, asked));
+    const SampleTask task(subject_of(starts[k]), torsions_asked(first, last - first, k == 0, asked));
     const SampleSummary summary = task.run([&](const Frame& frame) {
       drawn.positions.emplace_back(frame.positions.begin(), frame.positions.end());
       drawn.start.push_back(std::uint32_t(k));

@@ -89,7 +89,7 @@ SampleTask::SampleTask(SampleSubject subject, const SampleAsked& asked)
     : subject_(std::move(subject)), options_(completed(subject_, asked)) {
   if (!find_sampler(options_.sampler).has_amplitude)
     conformers_ =
-        conformer_framework(subject_.framework, subject_.start, amide_turns(options_.turn_amides));
+        conformer_framework(subject_.framework, subject_.start, conformer_moves(options_));
 }
 
 SampleTask::SampleTask(SampleSubject subject, const SampleOptions& recorded)

@@ -105,25 +105,25 @@ Bar longest_of(const std::vector<Bar>& pairs, std::span<const Vec3> x) {
 }  // namespace
 
 std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
-                                  AmideTurns which) {
+                                  ConformerMoves moves) {
   std::vector<Amide> found;
   if (framework.atoms() == nullptr) return found;
   for (Joint c = 0; c < framework.joint_count(); ++c)
     for (const Link& bond : chemistry.bonds_at(c))
       if (chemistry.is_tertiary_amide(c, bond.node) ||
-          (which == AmideTurns::secondary && chemistry.heavy_bonds_at(bond.node) == 2 &&
+          (moves.secondary_amides && chemistry.heavy_bonds_at(bond.node) == 2 &&
            chemistry.is_amide(c, bond.node)))
         found.push_back({c, bond.node});
   return found;
 }
 
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
-                              AmideTurns amides) {
+                              ConformerMoves moves) {
   const BondChemistry chemistry(framework, start);
   std::vector<Bar> across;
-  for (const Amide& amide : turning_amides(framework, chemistry, amides))
+  for (const Amide& amide : turning_amides(framework, chemistry, moves))
     for (Bar pair : pairs_across(amide, chemistry)) across.push_back(pair);
-  const std::vector<Bar> angles = soft_pairs(framework, chemistry, start);
+  const std::vector<Bar> angles = soft_pairs(framework, chemistry, start, moves.ring_systems);
   FrameworkParts parts = framework.parts();
   parts.bars.clear();
   parts.rest_lengths.clear();
@@ -144,19 +144,19 @@ Framework conformer_framework(const Framework& framework, std::span<const Vec3> 
 }
 
 std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start,
-                                       AmideTurns amides) {
+                                       ConformerMoves moves) {
   const BondChemistry chemistry(framework, start);
   FrameworkParts parts = framework.parts();
   parts.limits.clear();
   parts.sterics.reset();
   parts.drawn.assign(start.begin(), start.end());
   std::vector<Bar> added;
-  for (const Amide& amide : turning_amides(framework, chemistry, amides)) {
+  for (const Amide& amide : turning_amides(framework, chemistry, moves)) {
     const std::vector<Bar> pairs = pairs_across(amide, chemistry);
     if (!pairs.empty() && !has_bar_of(framework, pairs)) added.push_back(longest_of(pairs, start));
   }
   if (!framework.limits().empty())
-    for (Bar pair : limited(framework, soft_pairs(framework, chemistry, start)))
+    for (Bar pair : limited(framework, soft_pairs(framework, chemistry, start, moves.ring_systems)))
       if (!is_among(pair, added)) added.push_back(pair);
   for (Bar bar : added) {
     parts.bars.push_back(bar);

@@ -15,16 +15,14 @@
 
 namespace pliant {
 
-/// Which amides turn from cis to trans.
-enum class AmideTurns : std::uint8_t {
-  tertiary,   ///< those without hydrogen at N
-  secondary,  ///< those with one as well: amides, ureas, carbamates and their thio analogues
+/// What of a molecule may change besides torsions, simple rings and amines.
+struct ConformerMoves {
+  /// Amides, ureas and carbamates (and their thio analogues) with hydrogen at N turn from cis to
+  /// trans. Those without, tertiary ones, always do.
+  bool secondary_amides = false;
+  /// Rings that share bonds take other forms (system_forms.hpp), which takes time to find.
+  bool ring_systems = true;
 };
-
-/// Which ones an option asks for.
-inline AmideTurns amide_turns(bool with_secondary) {
-  return with_secondary ? AmideTurns::secondary : AmideTurns::tertiary;
-}
 
 /// An amide outside of rings, either cis or trans.
 struct Amide {
@@ -33,7 +31,7 @@ struct Amide {
 
 /// The amides of a molecule that turn (bond in no ring), by carbon, then nitrogen.
 std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
-                                  AmideTurns which);
+                                  ConformerMoves moves);
 
 /// `framework` without the bars across its `amides` (1-4), which a turn from cis to trans
 /// would break. Angles at the atoms of puckered rings of five and six become limits, 0.12 Angstrom
@@ -42,11 +40,11 @@ std::vector<Amide> turning_amides(const Framework& framework, const BondChemistr
 /// together; no heavy atoms four bonds and more apart come nearer than 2.68 Angstrom (overlaps of
 /// 0.08 are let be), unless they are nearer at `start` (N, Angstrom).
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
-                              AmideTurns amides = AmideTurns::tertiary);
+                              ConformerMoves moves = {});
 
 /// The plan of bodies for resolving conformers, in which amides that turn and rings are rigid even
 /// without bars that hold them. Nothing if BodyPlan::make gives none.
 std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start,
-                                       AmideTurns amides = AmideTurns::tertiary);
+                                       ConformerMoves moves = {});
 
 }  // namespace pliant

@@ -65,14 +65,14 @@ void turn_over(const AmideTurn& amide, std::span<Vec3> x) {
 }
 
 TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
-                           std::span<const Vec3> start, AmideTurns amides)
+                           std::span<const Vec3> start, ConformerMoves moves)
     : framework_(framework), plan_(plan), start_(start) {
   const BondChemistry chemistry(framework, start);
   find_loops(chemistry);
-  find_rings(chemistry);
+  find_rings(chemistry, moves.ring_systems);
   find_rigid_systems(chemistry);
   find_amines(chemistry);
-  find_amides(chemistry, amides);
+  find_amides(chemistry, moves);
 }
 
 /// Loops whose joints are all hinges are drawn, others bent.
@@ -113,8 +113,8 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry,
 }
 
 /// Finds the forms of rings that hold bars and angles.
-void TorsionMoves::find_rings(const BondChemistry& chemistry) {
-  for (FlexibleRing& ring : flexible_rings(framework_, chemistry, start_, !drawn_)) {
+void TorsionMoves::find_rings(const BondChemistry& chemistry, bool with_systems) {
+  for (FlexibleRing& ring : flexible_rings(framework_, chemistry, start_, {!drawn_, with_systems})) {
     std::vector<RingForm> forms;
     for (RingForm& form : ring.forms) {
       std::vector<Vec3> x(start_.begin(), start_.end());
@@ -208,8 +208,8 @@ void TorsionMoves::find_amines(const BondChemistry& chemistry) {
 }
 
 /// Where a bar still reaches across, it stays as it is.
-void TorsionMoves::find_amides(const BondChemistry& chemistry, AmideTurns which) {
-  for (const auto& [carbon, nitrogen] : turning_amides(framework_, chemistry, which)) {
+void TorsionMoves::find_amides(const BondChemistry& chemistry, ConformerMoves moves) {
+  for (const auto& [carbon, nitrogen] : turning_amides(framework_, chemistry, moves)) {
     std::vector<Joint> one = chemistry.beyond(carbon, {nitrogen});
     std::vector<Joint> other = chemistry.beyond(nitrogen, {carbon});
     AmideTurn found{carbon, nitrogen, std::move(one.size() < other.size() ? one : other)};

@@ -54,7 +54,7 @@ class TorsionMoves {
  public:
   /// All must outlive it. `start` (N, Angstrom).
   TorsionMoves(const Framework& framework, const BodyPlan& plan, std::span<const Vec3> start,
-               AmideTurns amides = AmideTurns::tertiary);
+               ConformerMoves moves = {});
 
   std::span<const Rotor> rotors() const { return rotors_; }
   std::span<const FlexibleRing> rings() const { return rings_; }
@@ -89,11 +89,11 @@ class TorsionMoves {
  private:
   void find_loops(const BondChemistry& chemistry);
   void find_rotors(const BondChemistry& chemistry, const std::vector<bool>& is_in_loop);
-  void find_rings(const BondChemistry& chemistry);
+  void find_rings(const BondChemistry& chemistry, bool with_systems);
   void find_rigid_systems(const BondChemistry& chemistry);
   bool is_in_one_body(std::span<const Joint> atoms) const;
   void find_amines(const BondChemistry& chemistry);
-  void find_amides(const BondChemistry& chemistry, AmideTurns which);
+  void find_amides(const BondChemistry& chemistry, ConformerMoves moves);
   /// Whether it is the joint's own place, not a copy at a cut.
   bool is_own(Slot place) const { return plan_.place_of(plan_.joint_at()[place]) == place; }
   bool holds_bars(std::span<const Vec3> x) const;

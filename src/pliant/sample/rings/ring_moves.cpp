@@ -84,13 +84,14 @@ void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x
 }
 
 std::vector<FlexibleRing> flexible_rings(const Framework& framework, const BondChemistry& chemistry,
-                                         std::span<const Vec3> start, bool with_large) {
+                                         std::span<const Vec3> start, RingsAsked asked) {
   std::vector<FlexibleRing> rings;
+  const std::vector<RingSystem> none;
   if (framework.atoms() == nullptr) return rings;
   for (const SimpleRing& atoms : puckered_rings(chemistry, start))
-    if (with_large || atoms.size() <= largest_small_ring)
+    if (asked.large || atoms.size() <= largest_small_ring)
       rings.push_back(alone(atoms, chemistry, start));
-  for (const RingSystem& system : ring_systems(chemistry))
+  for (const RingSystem& system : asked.systems ? ring_systems(chemistry) : none)
     rings.push_back({system.atoms,
                      system.neighbours,
                      {},
@@ -102,13 +103,14 @@ std::vector<FlexibleRing> flexible_rings(const Framework& framework, const BondC
 }
 
 std::vector<Bar> soft_pairs(const Framework& framework, const BondChemistry& chemistry,
-                            std::span<const Vec3> start) {
+                            std::span<const Vec3> start, bool with_systems) {
   std::vector<Bar> pairs;
   if (framework.atoms() == nullptr) return pairs;
   for (const SimpleRing& ring : puckered_rings(chemistry, start))
     for (Bar pair : ring_angles(ring, chemistry)) pairs.push_back(pair);
+  if (!with_systems) return pairs;
   for (const RingSystem& system : ring_systems(chemistry)) {
-    if (system_forms(system, framework, chemistry, start).size() < 2) continue;
+    if (system_forms(system, framework, chemistry, start, 2).size() < 2) continue;
     for (Bar pair : system_angles(system, chemistry)) pairs.push_back(pair);
   }
   return pairs;

@@ -21,15 +21,21 @@ struct FlexibleRing {
   std::vector<RingForm> forms;  ///< the form of the start is the first
 };
 
-/// All that are not planar at `start` (N, Angstrom): rings that share no bond with another, those
-/// of seven and more only if `with_large`, and systems of small rings. Does not check whether the
-/// forms satisfy bars and limits of the framework.
-std::vector<FlexibleRing> flexible_rings(const Framework& framework, const BondChemistry& chemistry,
-                                         std::span<const Vec3> start, bool with_large);
+/// Which rings are looked for besides those of five and six that share no bond with another.
+struct RingsAsked {
+  bool large = false;    ///< of seven and more
+  bool systems = false;  ///< systems of small rings
+};
 
-/// Pairs whose distance changes between the forms of rings with more than one form.
+/// All of these that are not planar at `start` (N, Angstrom). Does not check whether the forms
+/// satisfy bars and limits of the framework.
+std::vector<FlexibleRing> flexible_rings(const Framework& framework, const BondChemistry& chemistry,
+                                         std::span<const Vec3> start, RingsAsked asked);
+
+/// Pairs whose distance changes between the forms of rings with more than one form, and, if
+/// `with_systems`, of ring systems.
 std::vector<Bar> soft_pairs(const Framework& framework, const BondChemistry& chemistry,
-                            std::span<const Vec3> start);
+                            std::span<const Vec3> start, bool with_systems);
 
 /// Gives a ring of x (N) this form, superposed on its present one, and moves the branches with the
 /// bonds of the ring at their atom.

@@ -20,7 +20,6 @@ constexpr int system_relaxing_steps = 40;
 constexpr double system_relaxing = 0.05;
 constexpr double soft_angle = 0.12;     // Angstrom
 constexpr double least_square = 0.135;  // Angstrom^2, that of six atoms 0.15 apart
-constexpr std::size_t most_forms = 60;
 
 /// A form pressed onto its mean plane.
 std::vector<Vec3> flattened(std::vector<Vec3> x) {
@@ -55,11 +54,11 @@ class SystemForms {
     all_.insert(all_.end(), soft_.begin(), soft_.end());
   }
 
-  std::vector<RingForm> find() {
+  std::vector<RingForm> find(std::size_t most) {
     add_form(start_);
     const std::vector<Vec3> flat = flattened(start_);
     int last = 0;  // that found a form
-    for (int k = 0; k < starts && forms_.size() < most_forms; ++k) {
+    for (int k = 0; k < starts && forms_.size() < most; ++k) {
       if (k - last > idle_starts + idle_starts_a_form * int(forms_.size())) break;
       const std::size_t known = forms_.size();
       RandomSequence draws({0, Domain::torsion, 0, 0, std::uint64_t(k)});
@@ -162,8 +161,9 @@ class SystemForms {
 }  // namespace
 
 std::vector<RingForm> system_forms(const RingSystem& system, const Framework& framework,
-                                   const BondChemistry& chemistry, std::span<const Vec3> start) {
-  return SystemForms(system, framework, chemistry, start).find();
+                                   const BondChemistry& chemistry, std::span<const Vec3> start,
+                                   std::size_t most) {
+  return SystemForms(system, framework, chemistry, start).find(most);
 }
 
 }  // namespace pliant

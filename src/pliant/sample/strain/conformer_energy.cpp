@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pliant/sample/conformers/bond_turn_kinds.hpp"
 #include "pliant/sample/strain/torsion_gradient.hpp"
 
 namespace pliant {
