@@ -105,8 +105,7 @@ constexpr int loop_steps = 12;
 class TorsionsSampler final : public Sampler {
  public:
   explicit TorsionsSampler(const SamplerSetting& setting)
-      : moves_(setting.framework, setting.plan, setting.start,
-               conformer_moves(setting.options)),
+      : moves_(setting.framework, setting.plan, setting.start, conformer_moves(setting.options)),
         sterics_(setting.framework),
         seed_(setting.options.seed) {
     if (moves_.empty())

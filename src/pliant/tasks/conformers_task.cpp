@@ -16,7 +16,7 @@ namespace pliant {
 namespace {
 
 constexpr double furthest_shaken = 1.0;  // Angstrom
-constexpr std::uint64_t tries = 4;         // to shake rings and keep handedness
+constexpr std::uint64_t tries = 4;       // to shake rings and keep handedness
 constexpr double least_volume = 0.3;  // Angstrom^3, of three bonds: flatter ones have no handedness
 
 MolecularModel molecule_model(Structure structure, const Log& log) {
@@ -99,7 +99,8 @@ void shake(const BondChemistry& chemistry, double furthest, RandomSequence& draw
   }
 }
 
-/// A conformer of a model, its rings shaken, relaxed; corners keep their handedness, or it is empty.
+/// A conformer of a model, its rings shaken, relaxed; corners keep their handedness, or it is
+/// empty.
 std::vector<Vec3> relaxed(const MolecularModel& model, const BondChemistry& chemistry,
                           std::span<const Vec3> conformer, RandomSequence draws) {
   const Strain strain(model.framework, chemistry, model.positions, conformer);
@@ -156,7 +157,8 @@ DrawnConformers draw_conformers(std::span<const MolecularModel> starts,
   for (std::int64_t k = 0; k < count; ++k) {
     const std::int64_t first = asked.frames * k / count, last = asked.frames * (k + 1) / count;
     if (first == last) continue;
-    const SampleTask task(subject_of(starts[k]), torsions_asked(first, last - first, k == 0, asked));
+    const SampleTask task(subject_of(starts[k]),
+                          torsions_asked(first, last - first, k == 0, asked));
     const SampleSummary summary = task.run([&](const Frame& frame) {
       drawn.positions.emplace_back(frame.positions.begin(), frame.positions.end());
       drawn.start.push_back(std::uint32_t(k));

@@ -20,8 +20,8 @@ namespace pliant {
 struct ConformersAsked {
   std::int64_t frames = 500;  ///< conformers drawn, shared among the starts; from 1
   std::uint64_t seed = 0;
-  bool turn_amides = false;   ///< secondary amides are cis or trans, too
-  std::int64_t threads = 1;   ///< changes no result
+  bool turn_amides = false;  ///< secondary amides are cis or trans, too
+  std::int64_t threads = 1;  ///< changes no result
   Log log = {};
 };
 

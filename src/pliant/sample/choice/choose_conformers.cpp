@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
+#include <queue>
 #include <string>
 
 #include "pliant/base/error.hpp"
@@ -23,13 +24,67 @@ void check(const ShapeDistances& shapes, std::span<const double> energies,
     throw InputError("energies of conformers must be finite");
 }
 
-std::vector<std::size_t> by_energy(std::span<const double> energies) {
-  std::vector<std::size_t> order(energies.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return energies[a] < energies[b]; });
-  return order;
-}
+constexpr double worth = 2.0;     // kcal/mol/Angstrom
+constexpr double furthest = 1.5;  // Angstrom: further ones are worth no more
+
+/// A conformer that may be chosen, and what it cost when it was last looked at: less than it costs
+/// now, as others were chosen since.
+struct Candidate {
+  double cost;  ///< kcal/mol
+  std::size_t number;
+  double nearest = furthest;  ///< Angstrom, of the chosen ones that were looked at
+  std::size_t looked_at = 0;
+
+  bool operator>(const Candidate& other) const {
+    return cost != other.cost ? cost > other.cost : number > other.number;
+  }
+};
+
+/// Always the cheapest first; the others need not be looked at.
+class Choosing {
+ public:
+  Choosing(const ShapeDistances& shapes, std::span<const double> energies,
+           const ConformerChoice& choice)
+      : shapes_(shapes), energies_(energies), choice_(choice) {
+    const double lowest = *std::min_element(energies.begin(), energies.end());
+    for (std::size_t k = 0; k < energies.size(); ++k)
+      if (energies[k] <= lowest + choice.window) left_.push({energies[k] - worth * furthest, k});
+  }
+
+  std::vector<std::size_t> choose() {
+    while (!left_.empty() && chosen_.size() < choice_.most) {
+      Candidate next = left_.top();
+      left_.pop();
+      if (next.looked_at == chosen_.size())
+        chosen_.push_back(next.number);
+      else if (look_at(next))
+        left_.push(next);
+    }
+    std::stable_sort(chosen_.begin(), chosen_.end(), [&](std::size_t a, std::size_t b) {
+      return energies_[a] != energies_[b] ? energies_[a] < energies_[b] : a < b;
+    });
+    return std::move(chosen_);
+  }
+
+ private:
+  /// False: it is like one that is chosen.
+  bool look_at(Candidate& next) const {
+    for (; next.looked_at < chosen_.size(); ++next.looked_at) {
+      const std::size_t known = chosen_[next.looked_at];
+      if (!shapes_.are_within(known, next.number, std::max(next.nearest, choice_.rms))) continue;
+      next.nearest = std::min(next.nearest, shapes_.between(known, next.number));
+      if (next.nearest <= choice_.rms) return false;
+    }
+    next.cost = energies_[next.number] - worth * next.nearest;
+    return true;
+  }
+
+  const ShapeDistances& shapes_;
+  std::span<const double> energies_;
+  const ConformerChoice& choice_;
+  std::vector<std::size_t> chosen_;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> left_;
+};
 
 }  // namespace
 
@@ -37,16 +92,8 @@ std::vector<std::size_t> choose_conformers(const ShapeDistances& shapes,
                                            std::span<const double> energies,
                                            const ConformerChoice& choice) {
   check(shapes, energies, choice);
-  std::vector<std::size_t> chosen;
-  for (std::size_t next : by_energy(energies)) {
-    if (chosen.size() == choice.most) break;
-    if (!chosen.empty() && energies[next] > energies[chosen[0]] + choice.window) break;
-    const bool is_alike = std::any_of(chosen.begin(), chosen.end(), [&](std::size_t known) {
-      return shapes.are_within(known, next, choice.rms);
-    });
-    if (!is_alike) chosen.push_back(next);
-  }
-  return chosen;
+  if (energies.empty()) return {};
+  return Choosing(shapes, energies, choice).choose();
 }
 
 }  // namespace pliant

@@ -89,9 +89,8 @@ bool ShapeDistances::are_within(std::size_t one, std::size_t other, double reach
   const double radii = std::sqrt(squares_[one]) - std::sqrt(squares_[other]);
   const double most = reach * reach;
   if (radii * radii > most * double(symmetries_.heavy.size())) return false;
-  return std::any_of(symmetries_.maps.begin(), symmetries_.maps.end(), [&](const auto& map) {
-    return mean_square(one, other, map) <= most;
-  });
+  return std::any_of(symmetries_.maps.begin(), symmetries_.maps.end(),
+                     [&](const auto& map) { return mean_square(one, other, map) <= most; });
 }
 
 }  // namespace pliant

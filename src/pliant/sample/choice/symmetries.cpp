@@ -17,7 +17,10 @@ constexpr std::size_t most_trials = 200000;
 class SymmetrySearch {
  public:
   SymmetrySearch(const Neighbours& neighbours, const std::vector<Index>& kinds, std::size_t most)
-      : neighbours_(neighbours), kinds_(kinds), most_(most), image_(kinds.size(), unset),
+      : neighbours_(neighbours),
+        kinds_(kinds),
+        most_(most),
+        image_(kinds.size(), unset),
         is_taken_(kinds.size(), false) {
     order_by_bonds();
   }

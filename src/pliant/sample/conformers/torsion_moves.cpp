@@ -114,7 +114,8 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry,
 
 /// Finds the forms of rings that hold bars and angles.
 void TorsionMoves::find_rings(const BondChemistry& chemistry, bool with_systems) {
-  for (FlexibleRing& ring : flexible_rings(framework_, chemistry, start_, {!drawn_, with_systems})) {
+  for (FlexibleRing& ring :
+       flexible_rings(framework_, chemistry, start_, {!drawn_, with_systems})) {
     std::vector<RingForm> forms;
     for (RingForm& form : ring.forms) {
       std::vector<Vec3> x(start_.begin(), start_.end());

@@ -99,8 +99,8 @@ double approach(const std::vector<WantedDistance>& wanted, double damped, std::v
   const Equations equations(wanted, x);
   const double worst = equations.worst();
   const bool has_many = wanted.size() > 3 * x.size();
-  const bool is_solved = has_many ? step_by_places(equations, damped, x)
-                                  : step_by_distances(equations, damped, x);
+  const bool is_solved =
+      has_many ? step_by_places(equations, damped, x) : step_by_distances(equations, damped, x);
   return is_solved ? worst : HUGE_VAL;
 }
 
