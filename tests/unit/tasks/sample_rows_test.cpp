@@ -129,7 +129,7 @@ TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
 TEST(SampleRows, EveryOptionHasOne) {
   SampleOptions options;
   auto& [frames, first_frame, amplitude, seed, threads, network, sampler, near_frames, around,
-         around_joints, contact_energy, turn_amides, should_stop, log] = options;
+         around_joints, contact_energy, ring_systems, turn_amides, should_stop, log] = options;
   const std::set<const void*> members{&frames,  &first_frame,    &amplitude,  &seed,
                                       &threads, &network,        &sampler,    &near_frames,
                                       &around,  &contact_energy, &turn_amides};

@@ -65,12 +65,13 @@ TEST(RingPucker, AnglesOfCyclohexaneGiveWay) {
   const Molecule at("cyclohexane_chair.xyz");
   const auto rings = puckered_rings(at.chemistry, at.model.positions);
   EXPECT_EQ(ring_angles(rings[0], at.chemistry).size(), 30U);
-  EXPECT_EQ(soft_pairs(at.model.framework, at.chemistry, at.model.positions).size(), 30U);
+  EXPECT_EQ(soft_pairs(at.model.framework, at.chemistry, at.model.positions, true).size(), 30U);
 }
 
 TEST(RingMoves, AFormLeavesBondsAndHandednessOfWhatHangsOnTheRing) {
   const Molecule at("glucose.cif");
-  const auto rings = flexible_rings(at.model.framework, at.chemistry, at.model.positions, false);
+  const auto rings =
+      flexible_rings(at.model.framework, at.chemistry, at.model.positions, {.systems = true});
   ASSERT_EQ(rings.size(), 1U);
   ASSERT_GT(rings[0].forms.size(), 1U);
   const auto volume = [&](std::span<const Vec3> x, Joint atom) {
