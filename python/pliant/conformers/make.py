@@ -49,7 +49,7 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
             )
         with _timed(seconds, "energy"):
             energy = energy_of(options.energy, subject.structure, lambda: subject.molecule)
-            energies = drawn.score
+            energies = drawn.score if options.energy != "none" else np.zeros_like(drawn.score)
             if energy is not None:
                 energies = np.array([energy.of(one) for one in drawn.positions])
         positions, of_start = drawn.positions, drawn.start

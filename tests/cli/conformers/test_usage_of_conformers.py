@@ -137,7 +137,7 @@ def test_three_dimensional_sdf_needs_no_rdkit(without_rdkit, two, tmp_path):
         ("sample some.smi", "a SMILES"),
         ("conformers two.sdf --embed", "--embed"),
         ("conformers two.sdf --energy UFF", "--energy UFF"),
-        ("conformers two.sdf --minimise", "--minimise"),
+        ("conformers two.sdf --energy auto --minimise", "--minimise"),
     ],
 )
 def test_what_needs_rdkit_says_how_to_install_it(without_rdkit, two, tmp_path, words, what):

@@ -18,7 +18,7 @@ def test_a_mol_gives_a_mol_with_its_properties():
     made = embedded("CCC(=O)OCC")
     made.SetProp("pIC50", "7.1")
     made.SetProp("_Name", "ester")
-    found = pliant.conformers(made, 5, **FAST)
+    found = pliant.conformers(made, 5, energy="auto", **FAST)
     assert found.GetNumConformers() == 5
     assert (found.GetProp("pIC50"), found.GetProp("_Name")) == ("7.1", "ester")
     assert found.GetProp("pliant_energy_name").startswith("MMFF94s, RDKit ")
@@ -57,16 +57,18 @@ def test_one_start_with_nothing_asked_for_has_the_frames_of_sample():
 
 
 def test_minimised_conformers_say_so():
-    found = pliant.conformers(pliant.from_smiles("CCCCO"), 3, minimise=True, **FAST)
+    found = pliant.conformers(
+        pliant.from_smiles("CCCCO"), 3, energy="MMFF94s", minimise=True, **FAST
+    )
     assert np.isnan(found.worst_bar)
     assert "> <pliant_lengths>\nminimised: lengths and angles are the force field's\n" in found.sdf
     assert "pliant_worst_bar" not in found.sdf
-    raw = pliant.conformers(pliant.from_smiles("CCCCO"), 3, **FAST)
+    raw = pliant.conformers(pliant.from_smiles("CCCCO"), 3, energy="MMFF94s", **FAST)
     assert found.energies.min() < raw.energies.min()
 
 
 def test_uff_is_named_where_mmff_lacks_parameters():
-    found = pliant.conformers(pliant.from_smiles("CC[Se]CC"), 2, **FAST)
+    found = pliant.conformers(pliant.from_smiles("CC[Se]CC"), 2, energy="auto", **FAST)
     assert found.energy_name.startswith("UFF, as MMFF94s lacks parameters, RDKit ")
     with pytest.raises(pliant.InputError, match="MMFF94s of RDKit: parameters of an atom are miss"):
         pliant.conformers(pliant.from_smiles("CC[Se]CC"), 2, energy="MMFF94s", **FAST)
