@@ -114,6 +114,7 @@ def _run(contender: Contender, count: int, subject: Subject, outcome: Outcome) -
         made=len(frames),
         nearest=float(distances.min()),
         seconds=float(outcome.arrays["seconds"]),
+        start_seconds=float(outcome.arrays["start_seconds"]),
         handedness=int(faults.handedness.sum()),
         double_bonds=int(faults.double_bonds.sum()),
         amides=int(faults.amides.sum()),

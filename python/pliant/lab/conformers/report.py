@@ -9,7 +9,7 @@ from pliant import console
 from pliant.lab.conformers.rows import WITHIN, Table
 
 SHARES = ("at", "contender", "made", *(f"{limit:g} A" for limit in WITHIN), "nearest, A", "+-",
-          "CPU, s", "failed")  # fmt: skip
+          "CPU, s", "start", "failed")  # fmt: skip
 DIFFERENCES = ("at", "ours less", "molecules", "nearest, A", "+-", "within 1 A", "+-")
 FAULTS = ("contender", "asked", "conformers", "handed", "E/Z", "amides", "contacts", "strain")
 
@@ -19,11 +19,13 @@ def print_report(table: Table) -> None:
     print(
         f"{table.molecules} molecules with a known conformer, each made anew from its graph; share"
         "\nwith a conformer as near as that to the known one (RMSD of heavy atoms, least over\n"
-        "symmetry), mean of the nearest, and CPU time a molecule (user, starts included)"
+        "symmetry), mean of the nearest, and CPU time a molecule (user); start: what RDKit takes of\n"
+        "it for the conformer that ours begin from"
     )
     _print(SHARES, (0, 1), [
         [s.at, s.contender, f"{s.made:.0f}", *(f"{v:.2f}" for v in s.within), _number(s.nearest, 3),
-         _number(s.error, 3), _number(s.seconds, 3), str(s.failed or "")]
+         _number(s.error, 3), _number(s.seconds, 3), f"{s.start_seconds:.3f}",
+         str(s.failed or "")]
         for s in table.shares
     ])  # fmt: skip
     print("ours less the others', paired by molecule; +- standard errors")

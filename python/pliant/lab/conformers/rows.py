@@ -20,6 +20,7 @@ class Made:
     made: int = 0
     nearest: float | None = None  #: symmetric RMSD of the nearest (Angstrom)
     seconds: float | None = None  #: CPU, of the user, starts included
+    start_seconds: float = 0.0  #: of it, for the start that RDKit makes
     handedness: int = 0  #: conformers in which that of an atom changed
     double_bonds: int = 0  #: in which E and Z changed
     amides: int = 0  #: in which a secondary amide changed
@@ -42,6 +43,7 @@ class Share:
     nearest: float  #: mean of those that were made (Angstrom)
     error: float  #: standard error of that
     seconds: float  #: mean
+    start_seconds: float  #: mean, of it, for the start that RDKit makes
 
 
 @dataclass(frozen=True)

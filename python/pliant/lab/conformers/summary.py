@@ -37,6 +37,7 @@ class Column:
     nearest: Floats  #: (M,) Angstrom; not-a-number where it failed
     seconds: Floats  #: (M,)
     made: Floats  #: (M,)
+    start_seconds: Floats  #: (M,) of `seconds`, for the start
 
 
 def summarise(table: Table, runs: Sequence[Run]) -> None:
@@ -103,6 +104,7 @@ def _column(runs: Sequence[Run], at: str, first: int) -> Column:
         np.array([run.distances[:first].min() if run.row.made else np.nan for run in runs]),
         np.array(seconds),
         np.array([min(run.row.made, first) for run in runs], dtype=np.float64),
+        np.array([run.row.start_seconds for run in runs]),
     )
 
 
@@ -118,6 +120,7 @@ def _share(column: Column) -> Share:
         tuple(float((known <= limit).sum() / len(column.nearest)) for limit in WITHIN),
         *mean_and_error(known),
         float(np.nanmean(column.seconds)) if len(known) else np.nan,
+        float(column.start_seconds[np.isfinite(column.nearest)].mean()) if len(known) else np.nan,
     )
 
 

@@ -242,6 +242,9 @@ def test_the_command_measures_draws_and_writes(library, tmp_path, capsys):
         rows = list(csv.DictReader(file))
     assert len(rows) == 4 * len(names)
     assert all(float(row["seconds"]) > 0 and row["failure"] == "" for row in rows)
+    for row in rows:
+        part = float(row["start_seconds"])
+        assert (0 < part < float(row["seconds"])) == (row["contender"] == "Pliant")
     assert picture.stat().st_size > 10_000
 
 

