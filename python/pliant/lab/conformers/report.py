@@ -19,8 +19,8 @@ def print_report(table: Table) -> None:
     print(
         f"{table.molecules} molecules with a known conformer, each made anew from its graph; share"
         "\nwith a conformer as near as that to the known one (RMSD of heavy atoms, least over\n"
-        "symmetry), mean of the nearest, and CPU time a molecule (user); start: what RDKit takes of\n"
-        "it for the conformer that ours begin from"
+        "symmetry), mean of the nearest, and CPU time a molecule (user); start: of that, RDKit's\n"
+        "for the conformer that ours begin from"
     )
     _print(SHARES, (0, 1), [
         [s.at, s.contender, f"{s.made:.0f}", *(f"{v:.2f}" for v in s.within), _number(s.nearest, 3),
