@@ -71,9 +71,10 @@ class Choosing {
   bool look_at(Candidate& next) const {
     for (; next.looked_at < chosen_.size(); ++next.looked_at) {
       const std::size_t known = chosen_[next.looked_at];
-      if (!shapes_.are_within(known, next.number, std::max(next.nearest, choice_.rms))) continue;
-      next.nearest = std::min(next.nearest, shapes_.between(known, next.number));
-      if (next.nearest <= choice_.rms) return false;
+      const double reach = std::max(next.nearest, choice_.rms);
+      const double apart = shapes_.between(known, next.number, reach);
+      if (apart <= choice_.rms) return false;
+      next.nearest = std::min(next.nearest, apart);
     }
     next.cost = energies_[next.number] - worth * next.nearest;
     return true;

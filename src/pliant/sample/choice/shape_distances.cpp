@@ -59,7 +59,9 @@ void ShapeDistances::add(std::span<const Vec3> x) {
   double sum = 0.0;
   for (Joint atom : symmetries_.heavy) {
     heavy_.push_back(x[atom] - centre);
-    sum += norm_squared(heavy_.back());
+    const double square = norm_squared(heavy_.back());
+    radii_.push_back(std::sqrt(square));
+    sum += square;
   }
   squares_.push_back(sum);
 }
@@ -78,19 +80,28 @@ double ShapeDistances::mean_square(std::size_t one, std::size_t other,
   return std::max(0.0, 2.0 * (both - best_overlap(sum, both)) / double(a.size()));
 }
 
-double ShapeDistances::between(std::size_t one, std::size_t other) const {
-  double least = HUGE_VAL;
-  for (const auto& map : symmetries_.maps) least = std::min(least, mean_square(one, other, map));
-  return std::sqrt(least);
+/// No turn changes distances from the centre, so that no atom comes nearer than these differ.
+bool ShapeDistances::may_be_within(std::size_t one, std::size_t other,
+                                   const std::vector<std::uint32_t>& map,
+                                   double mean_square) const {
+  const std::size_t n = symmetries_.heavy.size();
+  const auto a = std::span(radii_).subspan(one * n, n), b = std::span(radii_).subspan(other * n, n);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < n; ++k) sum += (a[k] - b[map[k]]) * (a[k] - b[map[k]]);
+  return sum <= mean_square * double(n);
 }
 
-/// No turn brings conformers nearer than their radii of gyration are.
-bool ShapeDistances::are_within(std::size_t one, std::size_t other, double reach) const {
-  const double radii = std::sqrt(squares_[one]) - std::sqrt(squares_[other]);
-  const double most = reach * reach;
-  if (radii * radii > most * double(symmetries_.heavy.size())) return false;
-  return std::any_of(symmetries_.maps.begin(), symmetries_.maps.end(),
-                     [&](const auto& map) { return mean_square(one, other, map) <= most; });
+double ShapeDistances::between(std::size_t one, std::size_t other, double reach) const {
+  double least = reach * reach;
+  bool is_found = false;
+  for (const auto& map : symmetries_.maps) {
+    if (!may_be_within(one, other, map, least)) continue;
+    const double here = mean_square(one, other, map);
+    if (here > least) continue;
+    least = here;
+    is_found = true;
+  }
+  return is_found ? std::sqrt(least) : HUGE_VAL;
 }
 
 }  // namespace pliant

@@ -14,7 +14,7 @@ namespace pliant {
 namespace {
 
 constexpr int starts = 300;
-constexpr int idle_starts = 40, idle_starts_a_form = 5;  // so many without a new form end it
+constexpr int idle_starts = 24, idle_starts_a_form = 3;  // so many without a new form end it
 constexpr double shift = 1.8;                            // Angstrom: how far atoms go at most
 constexpr int system_relaxing_steps = 40;
 constexpr double system_relaxing = 0.05;

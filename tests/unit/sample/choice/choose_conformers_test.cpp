@@ -78,8 +78,8 @@ TEST(ShapeDistances, AreThoseOfSuperposition) {
       for (std::size_t b = 0; b < x.size(); ++b) {
         const double exact = slow_distance(molecule.found, x[a], x[b]);
         EXPECT_NEAR(shapes.between(a, b), exact, 1e-6) << file;
-        EXPECT_TRUE(shapes.are_within(a, b, exact + 1e-6));
-        if (exact > 1e-3) EXPECT_FALSE(shapes.are_within(a, b, exact - 1e-6));
+        EXPECT_NEAR(shapes.between(a, b, exact + 1e-6), exact, 1e-6);
+        if (exact > 1e-3) EXPECT_EQ(shapes.between(a, b, exact - 1e-6), HUGE_VAL);
       }
   }
 }
