@@ -44,7 +44,8 @@ def draw(
     if np.count_nonzero(structure.elements != HYDROGEN) < 2:  # nothing can turn
         alone = np.array(structure.positions)[None]
         return Drawn(alone, np.zeros(1, dtype=np.int64), np.zeros(1), alone, 0.0)
-    made = _core._draw_conformers(structure, starts, frames, seed, turn_amides, threads)
+    drawn = _core._draw_conformers  # type: ignore[attr-defined]  # stubs have no private names
+    made = drawn(structure, starts, frames, seed, turn_amides, threads)
     positions, of_start, energies, of_starts, worst, _, _ = made
     return Drawn(positions, of_start, energies, of_starts, worst)
 
@@ -63,6 +64,5 @@ def choose(
     more than `window` above the lowest; None: no window.
     """
     limit = float("inf") if window is None else window
-    return np.asarray(
-        _core._choose_conformers(structure, positions, energies.tolist(), most, rms, limit)
-    )
+    chosen = _core._choose_conformers  # type: ignore[attr-defined]
+    return np.asarray(chosen(structure, positions, energies.tolist(), most, rms, limit))
