@@ -43,10 +43,12 @@ nb::tuple draw(const nb::object& structure, std::int64_t starts, std::int64_t fr
   }
   const std::size_t atoms = given.size();
   return nb::make_tuple(
-      frames_of(drawn.positions, atoms, [](const auto& x) -> const auto& { return x; }),
+      frames_of(
+          drawn.positions, atoms, [](const auto& x) -> const auto& { return x; }),
       array_of(std::vector<std::int64_t>(drawn.start.begin(), drawn.start.end())),
       array_of(drawn.energies),
-      frames_of(models, atoms, [](const auto& model) -> const auto& { return model.positions; }),
+      frames_of(
+          models, atoms, [](const auto& model) -> const auto& { return model.positions; }),
       drawn.max_residual, drawn.worst_bar, drawn.failed);
 }
 
@@ -55,8 +57,8 @@ class Shapes {
  public:
   explicit Shapes(const nb::object& structure)
       : model_(build_model(nb::cast<const Structure&>(structure), options())),
-        symmetries_(symmetries(model_.framework,
-                               BondChemistry(model_.framework, model_.positions))) {}
+        symmetries_(
+            symmetries(model_.framework, BondChemistry(model_.framework, model_.positions))) {}
   const Symmetries& of_molecule() const { return symmetries_; }
 
  private:

@@ -6,10 +6,11 @@
 #include <span>
 #include <string_view>
 
-#include "pliant/sample/conformers/conformer_framework.hpp"
 #include "pliant/sample/sampler.hpp"
 
 namespace pliant {
+
+struct ConformerMoves;
 
 /// One row of the table of samplers.
 struct SamplerEntry {

@@ -47,7 +47,8 @@ ConformerEnergy::ConformerEnergy(const Framework& framework, const BondChemistry
 }
 
 void ConformerEnergy::find_usual_torsion(const BondChemistry& chemistry, Bar bond) {
-  const Joint one = chemistry.reference(bond.a, bond.b), other = chemistry.reference(bond.b, bond.a);
+  const Joint one = chemistry.reference(bond.a, bond.b),
+              other = chemistry.reference(bond.b, bond.a);
   if (one == bond.a || other == bond.b) return;
   usual_.push_back({{one, bond.a, bond.b, other}, turn_of(chemistry, bond.a, bond.b)});
 }

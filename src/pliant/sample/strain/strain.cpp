@@ -14,7 +14,7 @@ constexpr double length_stiffness = 350.0, angle_stiffness = 50.0;
 // Angles at rest are so because of atoms three bonds apart, and of others that are near: only what
 // is much nearer counts.
 constexpr double clash_scale = 0.85;
-constexpr double threefold = 1.06;          // kcal/mol, half of UFF's barrier of a C-C bond
+constexpr double threefold = 1.06;           // kcal/mol, half of UFF's barrier of a C-C bond
 constexpr double planar = 10.0, bent = 0.5;  // kcal/mol: between two flat atoms, beside one
 
 Bar ordered(Joint a, Joint b) { return {std::min(a, b), std::max(a, b)}; }
@@ -34,12 +34,12 @@ Strain::Strain(const Framework& framework, const BondChemistry& chemistry,
   }
 }
 
-void Strain::find_angles(const BondChemistry& chemistry, Joint centre,
-                         std::span<const Vec3> rest) {
+void Strain::find_angles(const BondChemistry& chemistry, Joint centre, std::span<const Vec3> rest) {
   const auto bonds = chemistry.bonds_at(centre);
   for (std::size_t k = 0; k < bonds.size(); ++k)
     for (std::size_t m = k + 1; m < bonds.size(); ++m) {
-      const Vec3 one = rest[bonds[k].node] - rest[centre], other = rest[bonds[m].node] - rest[centre];
+      const Vec3 one = rest[bonds[k].node] - rest[centre],
+                 other = rest[bonds[m].node] - rest[centre];
       const double lengths = norm(one) * norm(other);
       angles_.push_back({bonds[k].node, centre, bonds[m].node, dot(one, other) / lengths,
                          norm(cross(one, other)) / lengths});
@@ -50,16 +50,15 @@ void Strain::find_angles(const BondChemistry& chemistry, Joint centre,
 void Strain::find_torsions(const BondChemistry& chemistry, Bar bond, std::span<const Vec3> held) {
   const bool one = chemistry.is_tetrahedral(bond.a), other = chemistry.is_tetrahedral(bond.b);
   if (one != other && chemistry.is_in_ring(bond.a) && chemistry.is_in_ring(bond.b)) return;
-  const auto paths = double((chemistry.bonds_at(bond.a).size() - 1) *
-                            (chemistry.bonds_at(bond.b).size() - 1));
+  const auto paths =
+      double((chemistry.bonds_at(bond.a).size() - 1) * (chemistry.bonds_at(bond.b).size() - 1));
   const double whole = one && other ? threefold : (one || other ? bent : planar);
   for (const Link& i : chemistry.bonds_at(bond.a))
     for (const Link& j : chemistry.bonds_at(bond.b)) {
       if (i.node == bond.b || j.node == bond.a || i.node == j.node) continue;
       const std::array<Joint, 4> at{i.node, bond.a, bond.b, j.node};
       const auto now = torsion_gradient(held[at[0]], held[at[1]], held[at[2]], held[at[3]]);
-      if (now)
-        torsions_.push_back({at, now->cosine, now->sine, whole / paths, one && other});
+      if (now) torsions_.push_back({at, now->cosine, now->sine, whole / paths, one && other});
     }
 }
 
@@ -107,8 +106,8 @@ double Strain::add_torsion(const Torsion& torsion, std::span<const Vec3> x,
   const double c = now->cosine, s = now->sine;
   const double cosine = torsion.is_threefold ? (3.0 - 4.0 * c * c) * c  // -cos(3 angle)
                                              : c * torsion.cosine + s * torsion.sine;
-  const double slope = torsion.is_threefold ? -3.0 * (3.0 - 4.0 * s * s) * s
-                                            : s * torsion.cosine - c * torsion.sine;
+  const double slope =
+      torsion.is_threefold ? -3.0 * (3.0 - 4.0 * s * s) * s : s * torsion.cosine - c * torsion.sine;
   for (std::size_t k = 0; k < 4; ++k)
     gradient[at[k]] += (torsion.stiffness * slope) * now->gradient[k];
   return torsion.stiffness * (1.0 - cosine);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Strain of a small molecule: the energy of bonds, angles and torsions that leave their rest
 // values, and of atoms that come near. Rest values are those of a structure, so that it needs no
-// table of atom types. Torsions of bonds between sp3 atoms have the threefold barrier of UFF; others
-// are held near where they are, but for those of rings beside one flat atom, which are free.
+// table of atom types. Torsions of bonds between sp3 atoms have the threefold barrier of UFF;
+// others are held near where they are, but for those of rings beside one flat atom, which are free.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ struct TorsionGradient {
   std::array<Vec3, 4> gradient;  ///< radians/Angstrom, with respect to the four points
 };
 
-/// Of i-a-b-j; none where three of them lie on a line.
+/// The torsion i-a-b-j; nothing where three of the points lie on a line.
 std::optional<TorsionGradient> torsion_gradient(Vec3 i, Vec3 a, Vec3 b, Vec3 j);
 
 }  // namespace pliant
