@@ -152,8 +152,9 @@
 #include "pliant/record/xml/write_graph_xml.hpp"          // and back
 
 // tasks: one door for each job
-#include "pliant/tasks/rigidity_task.hpp"  // rigidity
-#include "pliant/tasks/sample_task.hpp"    // an ensemble, or conformers, of a model
+#include "pliant/tasks/conformers_task.hpp"  // ranked conformers from several starts
+#include "pliant/tasks/rigidity_task.hpp"    // rigidity
+#include "pliant/tasks/sample_task.hpp"      // an ensemble, or conformers, of a model
 
 // stream: runs followed and steered while they go
 #include "pliant/stream/imd_commands.hpp"  // what a client says

@@ -144,6 +144,7 @@
 #include "pliant/stream/imd_server.hpp"
 #include "pliant/stream/imd_session.hpp"
 #include "pliant/stream/sockets.hpp"
+#include "pliant/tasks/conformers_task.hpp"
 #include "pliant/tasks/rigidity_task.hpp"
 #include "pliant/tasks/sample_task.hpp"
 #include "pliant/text/file_text.hpp"
@@ -314,6 +315,7 @@ const Use uses[] = {
     of("pliant/record/topology_pdb.hpp", &write_topology_pdb),
     of("pliant/record/xml/graph_xml.hpp", &looks_like_xml),
     of("pliant/record/xml/write_graph_xml.hpp", &write_graph_xml),
+    of("pliant/tasks/conformers_task.hpp", &draw_conformers),
     of("pliant/tasks/rigidity_task.hpp", &find_rigidity),
     of("pliant/tasks/sample_task.hpp", &SampleTask::run),
     of("pliant/resume/force_recorder.hpp", &ForceRecorder::publish),

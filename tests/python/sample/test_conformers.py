@@ -333,8 +333,11 @@ def test_preferred_torsions_are_staggered(tmp_path):
         ]
     )
     off = np.abs((angles - 60 + 60) % 120 - 60)
-    assert off.max() < 15
-    assert {int(k) for k in np.round((angles % 360) / 60)} == {1, 3, 5}
+    assert np.mean(off < 15) > 0.7  # one torsion of five is any angle
+    counts = np.bincount(np.round((angles[off < 15] % 360) / 60).astype(int), minlength=6)
+    assert counts[[0, 2, 4]].tolist() == [0, 0, 0]
+    assert counts[3] > max(counts[1], counts[5])  # anti is lower than gauche
+    assert min(counts[1], counts[5]) > 0
 
 
 def test_proteins_go_along_modes(tmp_path):
