@@ -35,7 +35,8 @@ largest molecule is kept. A record that cannot be used is named with the reason,
 on. The output does not depend on --threads; after a kill --continue gives the same bytes.
 
 Each conformer has the data items pliant_conformer (from 1, best first), pliant_start,
-pliant_energy with pliant_energy_name, and pliant_worst_bar (largest error of a held length).
+pliant_energy with pliant_energy_name, pliant_worst_bar (largest error of a held length), and
+pliant_start_positions with the first conformer of each start, whose lengths it keeps.
 
 Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 some records failed, 130 ended by Ctrl-C.
 

@@ -27,6 +27,7 @@ class Made:
     starts: npt.NDArray[np.int64]  #: (n,) from 0
     energies: npt.NDArray[np.float64] | None  #: (n,) kcal/mol
     energy_name: str  #: in words; "" where none was asked for
+    rest: npt.NDArray[np.float64]  #: (S, N, 3) Angstrom, the starts: lengths at rest
     worst_bar: float  #: relative; nan once a force field has minimised
     asked: int
     minimised: bool = False
@@ -72,6 +73,7 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
         of_start,
         energies if has_energy else None,
         name,
+        drawn.starts,
         np.nan if minimised else drawn.worst_bar,
         options.most,
         minimised,
@@ -101,7 +103,14 @@ def items_of(made: Made, k: int) -> list[tuple[str, str]]:
         items.append(("pliant_lengths", "minimised: lengths and angles are the force field's"))
     else:
         items.append(("pliant_worst_bar", f"{made.worst_bar:.1e}"))
+        if made.starts[k] not in made.starts[:k]:
+            items.append(("pliant_start_positions", _table(made.rest[made.starts[k]])))
     return items
+
+
+def _table(positions: npt.NDArray[np.float64]) -> str:
+    """A line for each atom, Angstrom."""
+    return "\n".join(f"{x:.4f} {y:.4f} {z:.4f}" for x, y, z in positions)
 
 
 @contextmanager

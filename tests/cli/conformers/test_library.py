@@ -9,6 +9,7 @@ import signal
 import subprocess
 import time
 
+import numpy as np
 import pytest
 
 pytest.importorskip("rdkit")
@@ -52,10 +53,26 @@ def test_a_library_is_complete_but_for_what_is_broken(pliant, with_broken, tmp_p
             assert one.GetProp(name) == start.GetProp(name)
         assert one.GetProp("pliant_energy_name") == "Pliant's own energy, kcal/mol"
         assert re.fullmatch(r"\d\.\de-\d\d", one.GetProp("pliant_worst_bar"))
+    assert_lengths_of_starts(made)
     of_first = [one for one in made if one.GetProp("_Name") == "molecule 4"]
     assert [int(one.GetProp("pliant_conformer")) for one in of_first] == [1, 2, 3]
     energies = [float(one.GetProp("pliant_energy")) for one in of_first]
     assert energies == sorted(energies)
+
+
+def assert_lengths_of_starts(made):
+    """Each start is written once, and its conformers have its lengths."""
+    first = [one for one in made if one.HasProp("pliant_start_positions")]
+    assert len(first) == len({(one.GetProp("_Name"), one.GetProp("pliant_start")) for one in made})
+    for one in first:
+        rest = np.array(
+            [line.split() for line in one.GetProp("pliant_start_positions").split("\n")]
+        )
+        found = one.GetConformer().GetPositions()
+        for bond in one.GetBonds():
+            a, b = bond.GetBeginAtomIdx(), bond.GetEndAtomIdx()
+            lengths = [np.linalg.norm(x[a] - x[b]) for x in (rest.astype(float), found)]
+            assert abs(lengths[0] - lengths[1]) < 4e-4
 
 
 def test_the_report_has_seven_lines(pliant, with_broken):
