@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from pliant._checked import checked, whole
 from pliant._core import InputError, Structure
 from pliant._extras import need
@@ -12,6 +14,9 @@ from pliant.adapters.rdkit import from_rdkit
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
+
+#: Angstrom; a bond is never that long
+_LONGEST = 4.0
 
 
 @checked(seed=whole(0, 2**31 - 1))
@@ -65,7 +70,7 @@ def parsed_smiles(smiles: str) -> Mol:
 
 
 def embed(molecule: Mol, seed: int = 0) -> bool:
-    """Gives a molecule with all its hydrogens one conformer; whether that succeeded."""
+    """Gives a molecule with all its hydrogens one conformer; whether its bonds are whole."""
     from rdkit import rdBase
     from rdkit.Chem import rdDistGeom, rdForceFieldHelpers
 
@@ -76,4 +81,11 @@ def embed(molecule: Mol, seed: int = 0) -> bool:
             return False
         if rdForceFieldHelpers.MMFFOptimizeMolecule(molecule, "MMFF94s", maxIters=2000) < 0:
             rdForceFieldHelpers.UFFOptimizeMolecule(molecule, maxIters=2000)
-    return True
+    return _longest_bond(molecule) < _LONGEST
+
+
+def _longest_bond(molecule: Mol) -> float:
+    """Angstrom; force fields tear complexes of metals apart."""
+    x = molecule.GetConformer().GetPositions()
+    ends = [(one.GetBeginAtomIdx(), one.GetEndAtomIdx()) for one in molecule.GetBonds()]
+    return max((float(np.linalg.norm(x[a] - x[b])) for a, b in ends), default=0.0)

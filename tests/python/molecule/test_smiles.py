@@ -42,3 +42,10 @@ def test_what_is_no_molecule_is_said(smiles, message):
     with pytest.raises(pliant.InputError) as error:
         pliant.from_smiles(smiles)
     assert str(error.value) == message
+
+
+def test_a_complex_that_the_force_field_tears_apart_is_refused():
+    torn = "N#CS[Cd](SC#N)([N+]1=CC=CC=C1)[N+]2=CC=CC=C2"
+    with pytest.raises(pliant.InputError) as caught:
+        pliant.from_smiles(torn)
+    assert str(caught.value) == f"SMILES '{torn}': RDKit found no 3-D structure"
