@@ -23,9 +23,11 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
   const auto plan = conformer_plan(framework, system.start, may_move);
   if (!plan) return std::nullopt;
   const TorsionMoves moves(framework, *plan, system.start, may_move);
-  Conformations found{{}, {}, {}, {}, {}, moves.loop_bodies(), moves.bent() == nullptr};
-  for (const Rotor& rotor : moves.rotors())
-    found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));
+  Conformations found{{}, {}, {}, {}, {}, {}, moves.loop_bodies(), moves.bent() == nullptr};
+  for (const Rotor& rotor : moves.rotors()) {
+    const bool is_held = rotor.kind == BondTurn::atropisomer;
+    (is_held ? found.atropisomers : found.rotors).push_back(framework.label(Bar{rotor.a, rotor.b}));
+  }
   for (const FlexibleRing& ring : moves.rings()) {
     const std::string forms = std::to_string(ring.forms.size());
     found.rings.push_back(ring_names(framework, ring.atoms) + " (" + forms + " forms)");

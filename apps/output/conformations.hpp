@@ -12,7 +12,7 @@ namespace pliant::app {
 
 /// By name.
 struct Conformations {
-  std::vector<std::string> rotors, rings, rigid_rings, amines, amides;
+  std::vector<std::string> rotors, rings, rigid_rings, amines, amides, atropisomers;
   std::size_t loop_bodies = 0;
   bool are_loops_drawn = true;
 };

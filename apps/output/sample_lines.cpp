@@ -40,6 +40,9 @@ std::string moving_text(const Conformations& found) {
     text += fmt::format(", {} can invert", numbered(found.amines.size(), "amine"));
   if (!found.amides.empty())
     text += fmt::format(", {} can be cis or trans", numbered(found.amides.size(), "amide"));
+  if (!found.atropisomers.empty())
+    text += fmt::format(", {} keep their handedness",
+                        numbered(found.atropisomers.size(), "biaryl bond"));
   return text;
 }
 

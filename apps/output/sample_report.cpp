@@ -33,6 +33,9 @@ void print_conformations(const Conformations& found) {
     fmt::print("amines          {}: {} inverts\n", found.amines.size(), listed(found.amines));
   if (!found.amides.empty())
     fmt::print("amides          {}: {} cis or trans\n", found.amides.size(), listed(found.amides));
+  if (!found.atropisomers.empty())
+    fmt::print("atropisomers    {}: {} keeps its handedness\n", found.atropisomers.size(),
+               listed(found.atropisomers));
   if (found.loop_bodies > 0)
     fmt::print("flexible loops  of {} rigid units, {}\n", found.loop_bodies,
                found.are_loops_drawn ? "drawn and closed" : "bent at random");
@@ -138,6 +141,7 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"rigid_rings", moving.rigid_rings},
                   {"amines", moving.amines},
                   {"amides", moving.amides},
+                  {"atropisomers", moving.atropisomers},
                   {"loop_units", moving.loop_bodies},
                   {"pocket", pocket_of(settings, system)},
                   {"let_go_mean", summary.mean_let_go},

@@ -9,7 +9,7 @@ from h5md_contents import contents
 
 pytest.importorskip("rdkit")
 from rdkit import Chem
-from rdkit.Chem import AllChem
+from rdkit.Chem import AllChem, rdMolTransforms
 
 #: frames as they are drawn; without it an SDF is made by pliant conformers
 RAW = ("--sampler", "torsions")
@@ -81,6 +81,35 @@ def test_what_moves_is_named_in_json(pliant, drug):
     assert len(report["rings"]) == 1
     assert report["amides"] == ["C(3) - N(5)"]
     assert report["loop_units"] == 0
+
+
+@pytest.mark.parametrize(
+    ("smiles", "held"),
+    [
+        ("OC(=O)c1cccc(C)c1-c1c(C)cccc1CO", 1),  # four atoms beside the bond
+        ("Oc1ccc2ccccc2c1-c1c(O)ccc2ccccc12", 1),  # BINOL
+        ("Cc1ccccc1-c1ccccc1C", 0),  # two: it turns
+    ],
+)
+def test_atropisomers_are_named_and_keep_their_handedness(pliant, tmp_path, smiles, held):
+    made = Chem.AddHs(Chem.MolFromSmiles(smiles))
+    AllChem.EmbedMolecule(made, randomSeed=7)
+    Chem.MolToMolFile(made, str(tmp_path / "biaryl.sdf"))
+    ended = pliant("sample", "biaryl.sdf", "-o", "out.sdf", *RAW, "--frames", 60, "--json")
+    assert len(json.loads(ended.out)["atropisomers"]) == held
+    aryls = Chem.MolFromSmarts("c:c-c:c")
+    (at,) = {
+        hit[1:3]: hit for hit in made.GetSubstructMatches(aryls) if not in_ring(made, hit)
+    }.values()
+    angles = [
+        rdMolTransforms.GetDihedralDeg(one.GetConformer(), *at)
+        for one in [made, *records(tmp_path / "out.sdf")]
+    ]
+    assert (min(angles) * max(angles) > 0) == (held == 1)
+
+
+def in_ring(molecule, hit):
+    return molecule.GetBondBetweenAtoms(hit[1], hit[2]).IsInRing()
 
 
 def named(pliant, tmp_path, smiles):

@@ -75,6 +75,7 @@ class TurnKinds {
 
   BondTurn biaryl(Joint a, Joint b) const {
     const int crowd = ortho(a, b) + ortho(b, a);
+    if (crowd > 2) return BondTurn::atropisomer;
     if (crowd > 0) return crowd > 1 ? BondTurn::biaryl_flanked : BondTurn::biaryl_ortho;
     return bare(a, b) + bare(b, a) > 0 ? BondTurn::biaryl_plane : BondTurn::biaryl;
   }
@@ -121,6 +122,7 @@ class TurnKinds {
   }
 
   BondTurn aryl_acyl(Joint aryl, Joint to, int crowd) const {
+    if (crowd > 2) return BondTurn::atropisomer;
     if (crowd > 0) return crowd > 1 ? BondTurn::aryl_acyl_flanked : BondTurn::aryl_acyl_ortho;
     const bool is_secondary = beside(to, aryl, [&](Joint at) {
                                 return element(at) == nitrogen && bears_hydrogen(at);
@@ -213,7 +215,7 @@ BondTurn turn_of(const BondChemistry& chemistry, Joint a, Joint b) {
 
 BondTurn turn_in_loop(const BondChemistry& chemistry, Joint a, Joint b) {
   const BondTurn kind = turn_of(chemistry, a, b);
-  if (kind == BondTurn::ester) return kind;
+  if (stays(kind)) return kind;
   const auto is_acylated = [&](Joint at) {
     return (chemistry.is_oxygen(at) || chemistry.is_nitrogen(at)) && chemistry.is_conjugated(at);
   };

@@ -130,6 +130,7 @@ constexpr BondTurnEntry table[] = {
     {BondTurn::biaryl_plane, "biaryl_plane", biaryl_plane},
     {BondTurn::biaryl_ortho, "biaryl_ortho", biaryl_ortho},
     {BondTurn::biaryl_flanked, "biaryl_flanked", biaryl_flanked},
+    {BondTurn::atropisomer, "atropisomer", {}},
     {BondTurn::in_plane, "in_plane", in_plane},
     {BondTurn::conjugated, "conjugated", conjugated},
     {BondTurn::aryl_vinyl, "aryl_vinyl", aryl_vinyl},

@@ -62,14 +62,20 @@ enum class BondTurn : std::uint8_t {
   biaryl,               ///< aryl - aryl
   biaryl_plane,         ///< the same with an atom without hydrogen beside the bond
   biaryl_ortho,         ///< aryl - aryl with one heavy atom beside the bond
-  biaryl_flanked,       ///< the same with two or more
-  in_plane,             ///< aryl - nitro, aryl - OH
-  conjugated,           ///< between double bonds
-  aryl_vinyl,           ///< aryl - C=C, aryl - C=N
-  allyl,                ///< C=C - alkyl
-  hydrazine,            ///< N - N
-  beside_acyl,          ///< in large rings: O or N of ester or amide - sp3
+  biaryl_flanked,       ///< the same with two
+  atropisomer,  ///< the same with three or four: as in the structure, since it cannot pass 0
+  in_plane,     ///< aryl - nitro, aryl - OH
+  conjugated,   ///< between double bonds
+  aryl_vinyl,   ///< aryl - C=C, aryl - C=N
+  allyl,        ///< C=C - alkyl
+  hydrazine,    ///< N - N
+  beside_acyl,  ///< in large rings: O or N of ester or amide - sp3
 };
+
+/// Whether torsions of this kind stay near that of the structure.
+constexpr bool stays(BondTurn kind) {
+  return kind == BondTurn::ester || kind == BondTurn::atropisomer;
+}
 
 /// A usual torsion; its mirror image is one as well.
 struct TorsionPeak {

@@ -77,7 +77,7 @@ void LoopClosing::open(RandomSequence& draws, TorsionDraw how) {
 /// How much a torsion is turned: to one that is usual for its bond, or by any angle; esters stay as
 /// they are.
 Turn LoopClosing::opened(const LoopTorsion& torsion, RandomSequence& draws, TorsionDraw how) const {
-  if (torsion.kind == BondTurn::ester) return drawn_jitter(draws);
+  if (stays(torsion.kind)) return drawn_jitter(draws);
   if (how == TorsionDraw::uniform) return drawn_angle(draws);
   return drawn_usual(draws, torsion.kind) * back(torsion_now(torsion));
 }
@@ -102,11 +102,11 @@ double LoopClosing::add_gaps(double weight) {
 /// How far a torsion is from the nearest usual one, that of an ester from that of the start.
 Turn LoopClosing::off_usual(std::size_t torsion, Turn now) const {
   const BondTurn kind = loops_.torsions[torsion].kind;
-  return now * back(kind == BondTurn::ester ? at_start_[torsion] : nearest_usual(now, kind));
+  return now * back(stays(kind) ? at_start_[torsion] : nearest_usual(now, kind));
 }
 
 double LoopClosing::weight_of(const LoopTorsion& torsion, TorsionDraw how) const {
-  if (torsion.kind == BondTurn::ester) return ester_weight;
+  if (stays(torsion.kind)) return ester_weight;
   return how == TorsionDraw::preferred && torsion.kind != BondTurn::any ? torsion_weight : 0.0;
 }
 

@@ -115,7 +115,7 @@ Turn drawn_usual(RandomSequence& draws, BondTurn kind) {
 }
 
 double torsion_energy(BondTurn kind, Turn torsion) {
-  if (kind == BondTurn::any || kind == BondTurn::ester) return 0.0;
+  if (kind == BondTurn::any || stays(kind)) return 0.0;
   const KindDraw& row = draw_of(kind);
   return std::max(0.0, raw_energy(row, torsion) - row.lowest);
 }

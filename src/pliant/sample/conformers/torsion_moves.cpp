@@ -31,7 +31,7 @@ std::optional<Turn> torsion(Vec3 i, Vec3 a, Vec3 b, Vec3 j) {
 
 /// The turn from where a torsion is to a usual one; where three atoms lie on a line there is none.
 Turn usual_turn(const Rotor& rotor, RandomSequence& draws, std::span<const Vec3> x) {
-  if (rotor.kind == BondTurn::ester) return drawn_jitter(draws);
+  if (stays(rotor.kind)) return drawn_jitter(draws);
   const Turn wanted = drawn_usual(draws, rotor.kind);
   const auto now = torsion(x[rotor.beyond_a], x[rotor.a], x[rotor.b], x[rotor.beyond_b]);
   return now ? wanted * back(*now) : wanted;
@@ -249,9 +249,8 @@ void TorsionMoves::turn_rotors(RandomSequence& draws, TorsionDraw how, std::span
 void TorsionMoves::turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws,
                         std::span<Vec3> x) const {
   const Vec3 origin = x[rotor.b], axis = unit(x[rotor.b] - x[rotor.a]);
-  const Turn by = how == TorsionDraw::uniform && rotor.kind != BondTurn::ester
-                      ? drawn_angle(draws)
-                      : usual_turn(rotor, draws, x);
+  const Turn by = how == TorsionDraw::uniform && !stays(rotor.kind) ? drawn_angle(draws)
+                                                                    : usual_turn(rotor, draws, x);
   for (Joint joint : rotor.turning) {
     const Vec3 r = x[joint] - origin;
     x[joint] = turned(origin, r, axis, by);

@@ -39,7 +39,7 @@ TEST(TorsionDraws, UsualOnesLieWhereTheTableSaysAndReachAllOfIt) {
   for (const BondTurnEntry& row : bond_turns()) {
     SCOPED_TRACE(row.name);
     EXPECT_EQ(row.name, entry(row.kind).name);
-    if (row.kind == BondTurn::ester) continue;
+    if (stays(row.kind)) continue;
     RandomSequence draws({.seed = 3});
     std::vector<int> seen(row.peaks.size());
     int usual = 0;
