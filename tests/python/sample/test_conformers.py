@@ -251,6 +251,20 @@ def test_bridged_rings_take_chairs_and_boats(tmp_path):
     assert {int(n) for n in np.sum(chairs != 0, axis=1)} >= {1, 2}
 
 
+@pytest.mark.parametrize("smiles", ["C1CCc2ccccc2NC1", "C1Cc2ccccc2Cc2ccccc12"])
+def test_rings_of_seven_beside_benzene_turn_over(tmp_path, smiles):
+    """A bond of benzene keeps such a ring from turning as a loop."""
+    made, path = molecule(smiles, tmp_path)
+    (seven,) = [ring for ring in made.GetRingInfo().AtomRings() if len(ring) == 7]
+    rows = []
+    for x in pliant.sample(pliant.read(path), 60).positions:
+        at = with_positions(made, x).GetConformer()
+        around = [[seven[(k + j) % 7] for j in range(4)] for k in range(7)]
+        rows.append([rdMolTransforms.GetDihedralDeg(at, *four) for four in around])
+    signs = {tuple(np.sign(np.where(np.abs(row) < 25, 0, row)).astype(int)) for row in rows}
+    assert any(tuple(-sign for sign in row) in signs for row in signs)  # mirror images
+
+
 def test_rigid_rings_are_those_of_one_form(tmp_path):
     _, path = molecule("CCCC1CC2CCC1C2", tmp_path)
     ensemble = pliant.sample(pliant.read(path), 20)

@@ -13,14 +13,15 @@ constexpr std::size_t most_bonds = 64;
 
 using Path = std::vector<std::size_t>;
 
-/// Cycles of at most six atoms from their lowest atom on, each once.
-void find_rings(const RingSystem& system, Path& path, std::vector<Path>& rings) {
+/// Cycles of at most `largest` atoms from their lowest atom on, each once.
+void find_rings(const RingSystem& system, std::size_t largest, Path& path,
+                std::vector<Path>& rings) {
   for (std::size_t next : system.neighbours[path.back()]) {
     if (next == path.front() && path.size() > 2 && path[1] < path.back()) rings.push_back(path);
-    if (next <= path.front() || path.size() == largest_small_ring) continue;
+    if (next <= path.front() || path.size() == largest) continue;
     if (std::find(path.begin(), path.end(), next) != path.end()) continue;
     path.push_back(next);
-    find_rings(system, path, rings);
+    find_rings(system, largest, path, rings);
     path.pop_back();
   }
 }
@@ -64,11 +65,36 @@ RingSystem system_of(const std::vector<Bar>& bonds) {
     system.neighbours[place(bond.b)].push_back(place(bond.a));
   }
   for (auto& at : system.neighbours) std::sort(at.begin(), at.end());
+  return system;
+}
+
+/// Looks for rings of up to so many atoms; whether all others follow from them.
+bool has_only_rings_of(RingSystem& system, std::size_t largest, std::size_t cycles) {
+  system.rings.clear();
   for (std::size_t k = 0; k < system.atoms.size(); ++k) {
     Path path{k};
-    find_rings(system, path, system.rings);
+    find_rings(system, largest, path, system.rings);
   }
-  return system;
+  return independent(system) == cycles;
+}
+
+/// Whether a bond between flat atoms keeps each ring of seven from turning as a loop: six torsions
+/// are as many as closing a ring takes.
+bool are_sevens_held(const RingSystem& system, const BondChemistry& chemistry) {
+  return std::all_of(system.rings.begin(), system.rings.end(), [&](const Path& ring) {
+    if (ring.size() <= largest_small_ring) return true;
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      if (!chemistry.is_tetrahedral(system.atoms[ring[k]]) &&
+          !chemistry.is_tetrahedral(system.atoms[ring[(k + 1) % ring.size()]]))
+        return true;
+    return false;
+  });
+}
+
+bool has_known_rings(RingSystem& system, std::size_t cycles, const BondChemistry& chemistry) {
+  return has_only_rings_of(system, largest_small_ring, cycles) ||
+         (has_only_rings_of(system, largest_small_ring + 1, cycles) &&
+          are_sevens_held(system, chemistry));
 }
 
 }  // namespace
@@ -81,7 +107,7 @@ std::vector<RingSystem> ring_systems(const BondChemistry& chemistry) {
     const std::size_t cycles = bonds.size() - system.atoms.size() + 1;
     const bool is_flat = std::none_of(system.atoms.begin(), system.atoms.end(),
                                       [&](Joint atom) { return chemistry.is_tetrahedral(atom); });
-    if (cycles > 1 && !is_flat && independent(system) == cycles)
+    if (cycles > 1 && !is_flat && has_known_rings(system, cycles, chemistry))
       systems.push_back(std::move(system));
   }
   std::sort(systems.begin(), systems.end(),

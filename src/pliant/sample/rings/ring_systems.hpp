@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Systems of rings of at most six atoms that share bonds (fused, bridged: decalin, steroids,
-// norbornane).
+// norbornane), and of seven, if a bond between flat atoms holds them (benzazepine).
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace pliant {
 struct RingSystem {
   std::vector<Joint> atoms;                          ///< ascending
   std::vector<std::vector<std::size_t>> neighbours;  ///< for each atom, indices into `atoms`
-  std::vector<std::vector<std::size_t>> rings;       ///< of at most six atoms each, in order
+  std::vector<std::vector<std::size_t>> rings;       ///< of at most seven atoms each, in order
 };
 
 /// Systems that consist only of such rings, have at most 64 bonds, and have an atom that is neither

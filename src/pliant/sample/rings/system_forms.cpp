@@ -144,6 +144,7 @@ class SystemForms {
   std::size_t chairs_of(std::span<const Vec3> x) const {
     std::size_t count = 0;
     for (const auto& ring : system_.rings) {
+      if (ring.size() > largest_small_ring) continue;
       std::vector<Vec3> at;
       for (std::size_t atom : ring) at.push_back(x[atom]);
       if (is_chair(at)) ++count;
