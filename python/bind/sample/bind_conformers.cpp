@@ -59,9 +59,19 @@ class Shapes {
       : model_(build_model(nb::cast<const Structure&>(structure), options())),
         symmetries_(
             symmetries(model_.framework, BondChemistry(model_.framework, model_.positions))) {}
-  const Symmetries& of_molecule() const { return symmetries_; }
+  /// Of all frames, one set after the other. This must outlive them.
+  template <class... Sets>
+  ShapeDistances distances(const Sets&... sets) const {
+    ShapeDistances found(symmetries_);
+    (add_to(found, sets), ...);
+    return found;
+  }
 
  private:
+  static void add_to(ShapeDistances& found, const GivenFrames& frames) {
+    for (std::size_t k = 0; k < frames.shape(0); ++k) found.add(frame_of(frames, k));
+  }
+
   static ModelOptions options() {
     ModelOptions options;
     options.kind = ModelKind::angles;
@@ -75,19 +85,15 @@ nb::object choose(const nb::object& structure, const GivenFrames& positions,
                   const std::vector<double>& energies, std::size_t most, double rms,
                   double window) {
   const Shapes shapes(structure);
-  ShapeDistances distances(shapes.of_molecule());
-  for (std::size_t k = 0; k < positions.shape(0); ++k) distances.add(frame_of(positions, k));
   const std::vector<std::size_t> chosen =
-      choose_conformers(distances, energies, {most, rms, window});
+      choose_conformers(shapes.distances(positions), energies, {most, rms, window});
   return nb::cast(array_of(std::vector<std::int64_t>(chosen.begin(), chosen.end())));
 }
 
 nb::object nearest(const nb::object& structure, const GivenFrames& positions,
                    const GivenFrames& goals) {
   const Shapes shapes(structure);
-  ShapeDistances distances(shapes.of_molecule());
-  for (std::size_t k = 0; k < positions.shape(0); ++k) distances.add(frame_of(positions, k));
-  for (std::size_t k = 0; k < goals.shape(0); ++k) distances.add(frame_of(goals, k));
+  const ShapeDistances distances = shapes.distances(positions, goals);
   std::vector<double> out;
   for (std::size_t k = 0; k < positions.shape(0); ++k)
     for (std::size_t m = 0; m < goals.shape(0); ++m)

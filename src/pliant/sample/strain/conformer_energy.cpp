@@ -11,7 +11,6 @@ namespace {
 
 // With angles that cannot open, atoms seem nearer than they are, and in vacuum molecules fold up.
 constexpr double softened = 0.8, dispersion_share = 0.5;
-constexpr double threefold_barrier = 1.06;  // kcal/mol, half of UFF's of a C-C bond
 constexpr std::size_t largest_small_ring = 7;
 
 /// Whether the bond is in a ring of at most seven atoms.
@@ -55,7 +54,7 @@ void ConformerEnergy::find_usual_torsion(const BondChemistry& chemistry, Bar bon
 
 void ConformerEnergy::find_ring_torsions(const BondChemistry& chemistry, Bar bond) {
   const auto one = chemistry.bonds_at(bond.a), other = chemistry.bonds_at(bond.b);
-  const double share = threefold_barrier / double((one.size() - 1) * (other.size() - 1));
+  const double share = half_threefold_barrier / double((one.size() - 1) * (other.size() - 1));
   for (const Link& i : one)
     for (const Link& j : other)
       if (i.node != bond.b && j.node != bond.a && i.node != j.node)

@@ -14,7 +14,6 @@ constexpr double length_stiffness = 350.0, angle_stiffness = 50.0;
 // Angles at rest are so because of atoms three bonds apart, and of others that are near: only what
 // is much nearer counts.
 constexpr double clash_scale = 0.85;
-constexpr double threefold = 1.06;           // kcal/mol, half of UFF's barrier of a C-C bond
 constexpr double planar = 10.0, bent = 0.5;  // kcal/mol: between two flat atoms, beside one
 
 Bar ordered(Joint a, Joint b) { return {std::min(a, b), std::max(a, b)}; }
@@ -52,7 +51,7 @@ void Strain::find_torsions(const BondChemistry& chemistry, Bar bond, std::span<c
   if (one != other && chemistry.is_in_ring(bond.a) && chemistry.is_in_ring(bond.b)) return;
   const auto paths =
       double((chemistry.bonds_at(bond.a).size() - 1) * (chemistry.bonds_at(bond.b).size() - 1));
-  const double whole = one && other ? threefold : (one || other ? bent : planar);
+  const double whole = one && other ? half_threefold_barrier : (one || other ? bent : planar);
   for (const Link& i : chemistry.bonds_at(bond.a))
     for (const Link& j : chemistry.bonds_at(bond.b)) {
       if (i.node == bond.b || j.node == bond.a || i.node == j.node) continue;

@@ -9,6 +9,10 @@
 
 namespace pliant {
 
+/// Half of the threefold barrier of a bond between sp3 carbon atoms in UFF (A. K. Rappe et al., J.
+/// Am. Chem. Soc. 114 (1992) 10024), kcal/mol.
+inline constexpr double half_threefold_barrier = 1.06;
+
 struct TorsionGradient {
   double cosine, sine;
   std::array<Vec3, 4> gradient;  ///< radians/Angstrom, with respect to the four points
