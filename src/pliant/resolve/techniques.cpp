@@ -14,13 +14,13 @@
 #include "pliant/resolve/lanes/lane_blocks.hpp"
 #include "pliant/resolve/lanes/lane_direct.hpp"
 #include "pliant/resolve/lanes/lane_sweeps.hpp"
+#include "pliant/resolve/local/local_steps.hpp"
 #include "pliant/resolve/method/method.hpp"
 #include "pliant/resolve/sweeps/anderson_sweeps.hpp"
 #include "pliant/resolve/sweeps/custom_sweeps.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
 #include "pliant/resolve/units/shape_keeper.hpp"
 #include "pliant/resolve/units/templates.hpp"
-#include "pliant/resolve/units/units.hpp"
 
 namespace pliant {
 namespace {
@@ -67,12 +67,12 @@ constexpr TechniqueEntry method_entries[] = {
     {.name = "units",
      .summary = "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
      .has_weighting = false,
-     .make = make_units,
+     .make = make_local_units,
      .carries = true},
     {.name = "units_nearest",
      .summary = "units, then all hinges turned at once towards where the joints were",
      .has_weighting = false,
-     .make = make_units_nearest,
+     .make = make_local_units_nearest,
      .carries = true},
     {.name = "froda",
      .summary = "rigid units turned about their hinges, towards the push and out of contacts",

@@ -15,10 +15,15 @@ ArticulatedPass::ArticulatedPass(const BodyPlan& plan, const WorkingTrees& worki
     : plan_(plan),
       working_(working),
       damping_(damping),
-      square_unit_(square_unit),
-      inertia_(plan.bodies().size()),
-      force_(plan.bodies().size()),
-      turns_(plan.turn_count()) {}
+      square_unit_(square_unit) {
+  fit();
+}
+
+void ArticulatedPass::fit() {
+  inertia_.resize(plan_.bodies().size());
+  force_.resize(plan_.bodies().size());
+  turns_.resize(plan_.turn_count());
+}
 
 void ArticulatedPass::gather(std::span<const Vec3> x, std::span<const Vec3> targets) {
   const auto bodies = plan_.bodies();
@@ -50,6 +55,13 @@ void ArticulatedPass::set_turns(std::span<const Vec3> x) {
     } else {
       for (std::size_t t = 0; t < own.size(); ++t) own[t].s = turn_of(axes[t], x[body.a]);
     }
+  }
+}
+
+void ArticulatedPass::add_pulls(std::span<const Vec3> x, std::span<const PlacePull> pulls) {
+  for (const PlacePull& pull : pulls) {
+    const std::uint32_t body = plan_.body_at()[pull.at];
+    add_point(inertia_[body], force_[body], x[pull.at], pull.way, pull.weight);
   }
 }
 

@@ -26,6 +26,13 @@ struct DistanceRow {
   Twist direction(Vec3 x) const { return twist_of(cross(x, along), along); }
 };
 
+/// A place that should move by `way` (Angstrom), `weight` times as strongly as towards its target.
+struct PlacePull {
+  Slot at = 0;
+  Vec3 way;
+  double weight = 0.0;
+};
+
 /// The motions of all bodies and turns.
 struct BodyMotions {
   std::vector<Twist> twists;   ///< of bodies
@@ -47,9 +54,14 @@ class ArticulatedPass {
   ArticulatedPass(const BodyPlan& plan, const WorkingTrees& working, double damping,
                   double square_unit);
 
+  /// Makes room for the plan after it has changed.
+  void fit();
+
   /// Computes the inertias of the bodies at `x` (places, near the origin), the forces that pull
   /// them to `targets` (places; empty: none), and their turns.
   void gather(std::span<const Vec3> x, std::span<const Vec3> targets);
+  /// Adds the mass of each pull, and its force, to the body of its place.
+  void add_pulls(std::span<const Vec3> x, std::span<const PlacePull> pulls);
   /// Adds each row as a directional mass of `factor` times its weight on both of its bodies.
   void add_rows(std::span<const Vec3> x, std::span<const DistanceRow> rows, double factor);
   /// Eliminates turns from inertias and forces, from the last body to the roots. `springs` (turns)
@@ -74,8 +86,9 @@ class ArticulatedPass {
       note(t, along);
     }
   }
-  /// The motion of a root under a force.
+  /// The motion of a root under a force; the ground has none.
   Twist answer_of_root(std::uint32_t root, const Twist& force) const {
+    if (plan_.is_ground(root)) return Twist{};
     return froda::solve6(inertia_[root], force, square_unit_);
   }
 

@@ -38,14 +38,23 @@ double product(const std::vector<Twist>& forces, const std::vector<double>& of_t
 ArticulatedStep::ArticulatedStep(const BodyPlan& plan, const WorkingTrees& working, double unit)
     : plan_(plan),
       working_(working),
-      pass_(plan, working, damping * unit * unit, unit * unit),
-      closing_(plan.cuts().empty() ? nullptr : std::make_unique<CutClosing>(plan, working)),
-      motions_{std::vector<Twist>(plan.bodies().size()), std::vector<double>(plan.turn_count())},
-      motion_(plan.bodies().size()) {}
+      pass_(plan, working, damping * unit * unit, unit * unit) {
+  fit();
+}
+
+void ArticulatedStep::fit() {
+  pass_.fit();
+  if (!closing_ && !plan_.cuts().empty())
+    closing_ = std::make_unique<CutClosing>(plan_, working_);
+  motions_.twists.resize(plan_.bodies().size());
+  motions_.angles.resize(plan_.turn_count());
+  motion_.resize(plan_.bodies().size());
+}
 
 double ArticulatedStep::step(std::span<Vec3> x, const StepRequest& request) {
   pass_.gather(x, request.targets);
   const bool refined = request.conjugate_gradients > 0 && !request.rows.empty();
+  pass_.add_pulls(x, request.pulls);
   pass_.add_rows(x, request.rows, majorant);
   if (refined) left_ = pass_.forces();
   pass_.go_inward(request.springs);

@@ -39,6 +39,7 @@ struct StepRequest {
   std::span<const TurnSpring> springs = {};  ///< (turns) springs on them; empty: none
   double bound = 1.0;                        ///< largest displacement of a body (Angstrom)
   int conjugate_gradients = 0;               ///< iterations inside the step
+  std::span<const PlacePull> pulls = {};     ///< beside the targets; not with conjugate gradients
 };
 
 class ArticulatedStep {
@@ -46,6 +47,9 @@ class ArticulatedStep {
   /// Plan and trees must outlive it: it moves only these trees. Ten times the square of `unit`
   /// (Angstrom) is added to the inertia of each turn as damping.
   ArticulatedStep(const BodyPlan& plan, const WorkingTrees& working, double unit = 1.0);
+
+  /// Makes room for the plan after it has changed.
+  void fit();
 
   /// Moves `x` (places, Angstrom, near the origin): bodies turn about their hinges and keep their
   /// shapes to rounding. Returns the largest displacement of a body, to first order (Angstrom).

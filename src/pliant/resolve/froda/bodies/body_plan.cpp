@@ -6,15 +6,15 @@
 #include <utility>
 
 #include "pliant/rigidity/unit_graph.hpp"
-#include "pliant/rigidity/unit_set.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr std::uint32_t unset = ~std::uint32_t{0};
 
-/// Rigid units, and each joint that is in none as a unit of its own.
-UnitSet all_units(const Framework& framework) {
+}  // namespace
+
+UnitSet units_of_bodies(const Framework& framework) {
   UnitSet set = find_units(framework);
   if (!framework.drawn().empty()) set = std::move(merge_rigid_loops(framework, std::move(set)).set);
   std::vector<bool> is_in(framework.joint_count(), false);
@@ -24,13 +24,11 @@ UnitSet all_units(const Framework& framework) {
   return set;
 }
 
-}  // namespace
-
 class BodyPlanner {
  public:
   explicit BodyPlanner(const Framework& framework)
       : framework_(framework),
-        set_(all_units(framework)),
+        set_(units_of_bodies(framework)),
         graph_(connect_units(framework, set_)),
         from_(graph_.links.node_count(), unset),
         seen_(graph_.links.node_count(), 0),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
+#include "pliant/rigidity/unit_set.hpp"
 
 namespace pliant {
 
@@ -34,8 +35,13 @@ struct LoopCut {
   Slot copy, joint;
 };
 
+/// The units that become bodies: rigid units, rigid rings as one, and each joint that is in none.
+UnitSet units_of_bodies(const Framework& framework);
+
 class BodyPlan {
  public:
+  /// No bodies.
+  BodyPlan() = default;
   /// Makes the bodies of the framework's rigid units; rigid rings are one body. Each component
   /// begins at the middle of its longest path of bodies. Where bodies form loops, a body has copies
   /// of the joints at which a loop was cut. Null if there are pinned joints, or if the framework
@@ -51,10 +57,12 @@ class BodyPlan {
   Slot place_of(Joint joint) const { return place_of_[joint]; }
   std::span<const std::uint32_t> body_at() const { return body_at_; }  ///< of each place
   std::span<const LoopCut> cuts() const { return cuts_; }
+  /// Whether a body is the ground: a root that never moves, to which a part of a molecule is tied.
+  bool is_ground(std::uint32_t body) const { return body == ground_; }
 
  private:
-  BodyPlan() = default;
   friend class BodyPlanner;
+  friend class RegionPlanner;
 
   std::vector<PlanBody> bodies_;
   std::vector<BodyTree> trees_;
@@ -64,6 +72,7 @@ class BodyPlan {
   std::vector<Slot> place_of_;
   std::vector<std::uint32_t> body_at_;
   std::vector<LoopCut> cuts_;
+  std::uint32_t ground_ = ~std::uint32_t{0};  ///< none
 };
 
 }  // namespace pliant

@@ -19,6 +19,14 @@ class WorkingTrees {
     add_all();
   }
 
+  /// Starts again with all trees of the plan, which has changed.
+  void fit() {
+    is_in_.assign(plan_.trees().size(), 0);
+    numbers_.clear();
+    bodies_.clear();
+    add_all();
+  }
+
   void clear() {
     for (std::uint32_t tree : numbers_) is_in_[tree] = 0;
     numbers_.clear();
