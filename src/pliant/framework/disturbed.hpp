@@ -14,6 +14,9 @@ struct Disturbed {
   Joint root = 0;                      ///< where the technique begins
   bool all = true;                     ///< any joint may have moved, or some bar was broken before
   std::span<const Joint> joints = {};  ///< if not `all`: the joints that moved, the root among them
+  /// Nothing but `joints` has moved since the resolver's last call, which was for the same walker:
+  /// what it knows of near joints holds still.
+  bool continues = false;
 };
 
 }  // namespace pliant

@@ -7,6 +7,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/framework/measures/kept_measure.hpp"
+#include "pliant/framework/measures/near_measure.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/method/mass_centre.hpp"
 #include "pliant/resolve/method/method.hpp"
@@ -44,10 +45,15 @@ struct Resolver::MethodPlan {
   MovedJoints moved;  ///< by the last resolve, and where they were before
   std::vector<std::uint8_t> limits_off;
   std::unique_ptr<KeptMeasure> kept;  ///< null: bars alone
+  NearMeasure near;
+  std::optional<std::uint64_t> near_walker;  ///< what `near` knows is of this walker
 
   MethodPlan(const Framework& framework_, const Technique& technique_,
              const ResolveOptions& options_)
-      : framework(framework_), options(options_), technique(technique_) {
+      : framework(framework_),
+        options(options_),
+        technique(technique_),
+        near(framework, options.tolerance) {
     method = entry_of(technique).make(framework, technique, options);
     if (framework.has_bars_only() && shifts_to_mass_centre(technique_used(framework, technique)))
       method = keep_mass_centre(framework, std::move(method));
@@ -58,9 +64,10 @@ struct Resolver::MethodPlan {
 
   /// Whether the method was given `moved` to note joints in, rather than all being noted before.
   bool begin(std::span<const Vec3> positions, const Disturbed& disturbed) {
-    // A joint that moves may touch any other: what is near by bars is not all that is disturbed.
-    const bool is_near = !disturbed.all && !positions.empty() && framework.has_bars_only();
-    if (!is_near || !method->looks_near()) {
+    const bool continues = disturbed.continues && near_walker == options.walker;
+    near_walker.reset();
+    const bool is_near = !disturbed.all && !positions.empty() && method->looks_near();
+    if (!is_near || !near.begin(positions, disturbed.joints, continues)) {
       moved.note_all(positions);
       return false;
     }
@@ -70,8 +77,8 @@ struct Resolver::MethodPlan {
   }
 
   /// Measures what came out. Here alone positions are put back, where a number was not finite.
-  void finish(std::span<Vec3> positions, const Disturbed& disturbed,
-              ResolveSummary& summary) const {
+  void finish(std::span<Vec3> positions, const Disturbed& disturbed, ResolveSummary& summary) {
+    if (!moved.holds_all()) near.look(positions, moved.joints());
     ResidualSummary found = look(positions, disturbed);
     summary.worst_bar = found.worst_bar;
     if (!found.finite || summary.stop == Stop::not_finite) {
@@ -87,6 +94,7 @@ struct Resolver::MethodPlan {
     summary.max_residual = found.max_relative;
     summary.rms_residual = found.rms_relative;
     note_violations(found, summary);
+    if (!moved.holds_all() && summary.converged()) near_walker = options.walker;
   }
 
   ResidualSummary look(std::span<const Vec3> positions, const Disturbed& disturbed) const {
@@ -97,25 +105,16 @@ struct Resolver::MethodPlan {
 
   /// Measures the bars at joints that were disturbed or moved; rms_relative is -1.
   ResidualSummary measure_near(std::span<const Vec3> positions, const Disturbed& disturbed) const {
-    ResidualSummary near;
-    near.rms_relative = -1.0;
-    measure_at(positions, disturbed.root, near);
+    ResidualSummary found;
+    found.rms_relative = -1.0;
+    const auto measure_at = [&](Joint joint) {
+      near.measure_at(positions, joint, limits_off, found);
+    };
+    measure_at(disturbed.root);
     for (Joint joint : disturbed.joints)
-      if (joint != disturbed.root) measure_at(positions, joint, near);
-    for (Joint joint : moved.joints()) measure_at(positions, joint, near);
-    return near;
-  }
-
-  void measure_at(std::span<const Vec3> positions, Joint joint, ResidualSummary& near) const {
-    for (const Incidence& at : framework.neighbours(joint)) {
-      const double rest = framework.rest_lengths()[at.bar];
-      const double error = std::abs(residual(positions[joint], positions[at.joint], rest));
-      if (!(error <= options.tolerance.of(rest))) near.within = false;
-      if (!std::isfinite(error)) near.finite = false;
-      if (!(error / rest > near.max_relative)) continue;
-      near.max_relative = error / rest;
-      near.worst_bar = at.bar;
-    }
+      if (joint != disturbed.root) measure_at(joint);
+    for (Joint joint : moved.joints()) measure_at(joint);
+    return found;
   }
 
   RandomKey key(std::int64_t step) const {
@@ -169,7 +168,7 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, const Disturbed& dis
   const bool is_near = plan_->begin(positions, disturbed);
   summary.stop = plan_->method->resolve(
       {positions, disturbed, plan_->key(step), reference, is_near ? &plan_->moved : nullptr,
-       plan_->limits_off, plan_->moved.before(), plan_->kept.get()},
+       plan_->limits_off, plan_->moved.before(), plan_->kept.get(), plan_->near.neighbours()},
       summary);
   plan_->finish(positions, disturbed, summary);
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -10,7 +10,6 @@
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/blocks/blocks.hpp"
-#include "pliant/resolve/froda/froda.hpp"
 #include "pliant/resolve/lanes/lane_blocks.hpp"
 #include "pliant/resolve/lanes/lane_direct.hpp"
 #include "pliant/resolve/lanes/lane_sweeps.hpp"
@@ -78,7 +77,7 @@ constexpr TechniqueEntry method_entries[] = {
      .summary = "rigid units turned about their hinges, towards the push and out of contacts",
      .has_weighting = false,
      .knows_limits = true,
-     .make = make_froda},
+     .make = make_local_froda},
     {.name = "froda_templates",
      .summary = "rigid units and the joints that they share fitted to each other in turn (FRODA)",
      .has_weighting = false,

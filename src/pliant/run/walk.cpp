@@ -83,6 +83,7 @@ void Walk::push() {
 Disturbed Walk::disturbed() const {
   Disturbed disturbed = pushed().disturbed();
   if (!*is_whole_) disturbed.all = true;
+  disturbed.continues = continues_;
   return disturbed;
 }
 
@@ -106,8 +107,10 @@ ResolveSummary Walk::resolve_disturbed(Resolver& resolver, const Disturbed& dist
   }
   resolver.set_walker(number_);
   resolver.set_limits_off(state_.limits_off);
+  continues_ = false;  // where it throws
   const ResolveSummary resolved =
       resolver.resolve(state_.positions, disturbed, state_.step, state_.previous);
+  continues_ = resolved.converged();
   if (!disturbed.all)
     if (const auto moved = resolver.moved()) pushers_.past().only_moved(*moved, disturbed.joints);
   return resolved;
@@ -148,6 +151,7 @@ bool Walk::finish(ResolveSummary resolved) {
 
 State& Walk::change_state() {
   pushers_.past().forget();
+  continues_ = false;
   is_whole_.reset();
   return state_;
 }

@@ -58,6 +58,7 @@ class Walk {
   RunSummary summary_;
   ResolveSummary last_;           ///< of the last step, or of the start
   std::optional<bool> is_whole_;  ///< all bars, before the push; none: not checked
+  bool continues_ = false;        ///< nobody but the last resolve has moved joints since
   bool is_pushed_ = false;        ///< a step has begun and not ended
   bool is_stopped_ = false;
 };

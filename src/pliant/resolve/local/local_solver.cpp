@@ -4,73 +4,128 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/resolve/froda/contact_steps.hpp"
+
 namespace pliant {
+
+using froda::last_pulls, froda::pull_weight;
+
 namespace {
 
-constexpr double leg = 1.0;         // Angstrom: largest distance between targets
-constexpr double bound = 1.5;       // Angstrom: largest displacement of a body in a step
-constexpr double most_legs = 1e3;
-constexpr int most_pulls = 3;
-constexpr double settled = 0.05;    // share of the first step's displacement
-constexpr double widest_closed = 1e-13;  // Angstrom
-constexpr int most_closings = 12;
+// Angstrom
+constexpr double longest_leg = 1.0;    // largest distance between targets
+constexpr double farthest_of_step = 1.5;  // largest displacement of a body in a step
+constexpr double widest_left = 1e-13;
+
+constexpr double most_local_legs = 1e3;
+/// Pulls end when one moves no body further than this share of the push.
+constexpr double settled_of_push = 0.05;
+constexpr int most_repairs = 30, most_closing_steps = 12;
+/// A region whose joints go further than this many times the push is not near.
+constexpr double most_near = 4.0;
 
 }  // namespace
 
-LocalSolver::LocalSolver(const Framework& framework, double unit)
+LocalSolver::LocalSolver(const Framework& framework, const Tolerance& tolerance,
+                         const LocalOptions& options)
     : planner_(framework),
-      plan_(&planner_.plan({})),
+      plan_(&planner_.plan({}, 0)),
       working_(*plan_),
-      step_(*plan_, working_, unit),
-      unit_(unit) {}
+      step_(*plan_, working_, options.unit),
+      contacts_(framework, *plan_),
+      tolerance_(tolerance),
+      options_(options),
+      has_contacts_(!framework.has_bars_only()) {
+  options_.goal = std::min({options.goal, tolerance.limit, tolerance.overlap});
+}
 
-LocalResult LocalSolver::resolve(std::span<const Vec3> start, std::span<const Vec3> target,
-                                 std::span<const Joint> joints) {
-  begin(start, target, joints);
+LocalResult LocalSolver::resolve(const LocalPush& push, std::size_t most_bodies) {
+  begin(push, most_bodies);
   pull();
+  if (has_contacts_) repair();
   LocalResult result;
-  result.is_closed = close();
+  result.is_whole = close() && is_near();
+  if (has_contacts_ && result.is_whole) {
+    const ContactViolation left = contacts_.find(x_, froda::last_weight);
+    result.is_whole = left.limit <= tolerance_.limit && left.overlap <= tolerance_.overlap;
+  }
+  result.followed = followed();
   result.visits = visits_;
   return result;
 }
 
-void LocalSolver::begin(std::span<const Vec3> start, std::span<const Vec3> target,
-                        std::span<const Joint> joints) {
-  planner_.plan(joints);
+void LocalSolver::begin(const LocalPush& push, std::size_t most_bodies) {
+  planner_.plan(push.joints, most_bodies);
   working_.fit();
   step_.fit();
   visits_ = 0;
-  origin_ = start[joints[0]];
-  way_ = 0.0;
+  origin_ = push.start[push.joints[0]];
   const auto joint_at = plan_->joint_at();
   start_.resize(joint_at.size());
   push_.resize(joint_at.size());
   for (std::size_t k = 0; k < joint_at.size(); ++k) {
-    start_[k] = start[joint_at[k]] - origin_;
-    push_[k] = target[joint_at[k]] - start[joint_at[k]];
-    way_ = std::max(way_, norm_squared(push_[k]));
+    start_[k] = push.start[joint_at[k]] - origin_;
+    push_[k] = push.target[joint_at[k]] - push.start[joint_at[k]];
   }
-  way_ = std::sqrt(way_);
-  pulls_.clear();
-  for (Joint joint : joints) pulls_.push_back({plan_->place_of(joint), {}, weight_ - 1.0});
   x_ = start_;
   target_.resize(x_.size());
+  pulls_.clear();
+  double square = 0.0;
+  for (Joint joint : push.joints) {
+    pulls_.push_back({plan_->place_of(joint), {}, options_.weight - 1.0});
+    square = std::max(square, norm_squared(push_[pulls_.back().at]));
+  }
+  way_ = std::sqrt(square);
+  legs_ = int(std::clamp(std::ceil(way_ / (longest_leg * options_.unit)), 1.0, most_local_legs));
+  if (has_contacts_) contacts_.begin(push.start, origin_, push.limits_off, push.neighbours);
+}
+
+void LocalSolver::set_targets(double share) {
+  for (std::size_t at = 0; at < x_.size(); ++at) target_[at] = start_[at] + share * push_[at];
+  for (PlacePull& pull : pulls_) pull.way = target_[pull.at] - x_[pull.at];
 }
 
 void LocalSolver::pull() {
-  const double legs = std::clamp(std::ceil(way_ / (leg * unit_)), 1.0, most_legs);
-  for (int k = 1; k < int(legs) + most_pulls; ++k) {
-    const double share = std::min(1.0, k / legs);
-    for (std::size_t at = 0; at < x_.size(); ++at) target_[at] = start_[at] + share * push_[at];
-    for (PlacePull& pull : pulls_) pull.way = target_[pull.at] - x_[pull.at];
-    if (step({target_, {}, {}, bound * unit_, 0, pulls_}) <= settled * way_ && share == 1.0) return;
+  const double first = pull_blindly();
+  if (!has_contacts_ || first <= froda::small_move * options_.unit) return;
+  for (int k = 0; k < last_pulls; ++k) {
+    set_targets(1.0);
+    contacts_.find(x_, pull_weight);
+    step({target_, contacts_.rows(), {}, farthest_of_step * options_.unit, 0, pulls_});
   }
 }
 
+/// Returns how far the first step moved a body (Angstrom).
+double LocalSolver::pull_blindly() {
+  double first = 0.0;
+  for (int k = 1; k < legs_ + last_pulls; ++k) {
+    const double share = std::min(1.0, double(k) / legs_);
+    set_targets(share);
+    const double moved = step({target_, {}, {}, farthest_of_step * options_.unit, 0, pulls_});
+    if (k == 1) first = moved;
+    if (moved <= settled_of_push * way_ && share == 1.0) break;
+  }
+  return first;
+}
+
+/// Steps for contacts alone.
+void LocalSolver::repair() {
+  double least = HUGE_VAL;
+  int since_gain = 0;
+  for (int k = 0; k < most_repairs; ++k) {
+    const double here = contacts_.find(x_, froda::last_weight).worst();
+    since_gain = here < froda::least_gain * least ? 0 : since_gain + 1;
+    least = std::min(least, here);
+    if (here <= options_.goal || since_gain >= froda::patience) return;
+    step({{}, contacts_.rows(), {}, froda::last_bound * options_.unit, 0, {}});
+  }
+}
+
+/// Closes the loops over the ground by Newton's method.
 bool LocalSolver::close() {
-  for (int k = 0; k < most_closings && widest_gap() > widest_closed * unit_; ++k)
-    step({{}, {}, {}, bound * unit_, 0, {}});
-  return widest_gap() <= 10.0 * widest_closed * unit_;
+  for (int k = 0; k < most_closing_steps && widest_gap() > widest_left * options_.unit; ++k)
+    step({{}, {}, {}, froda::last_bound * options_.unit, 0, {}});
+  return widest_gap() <= 10.0 * widest_left * options_.unit;
 }
 
 double LocalSolver::step(const StepRequest& request) {
@@ -83,6 +138,22 @@ double LocalSolver::widest_gap() const {
   for (const LoopCut& cut : plan_->cuts())
     widest = std::max(widest, norm_squared(x_[cut.copy] - x_[cut.joint]));
   return std::sqrt(widest);
+}
+
+double LocalSolver::followed() const {
+  double along = 0.0, squares = 0.0;
+  for (const PlacePull& pull : pulls_) {
+    along += dot(x_[pull.at] - start_[pull.at], push_[pull.at]);
+    squares += norm_squared(push_[pull.at]);
+  }
+  return squares > 0.0 ? along / squares : 1.0;
+}
+
+bool LocalSolver::is_near() const {
+  double furthest = 0.0;
+  for (std::size_t at = 0; at < x_.size(); ++at)
+    furthest = std::max(furthest, norm_squared(x_[at] - start_[at] - push_[at]));
+  return furthest <= most_near * most_near * way_ * way_;
 }
 
 }  // namespace pliant

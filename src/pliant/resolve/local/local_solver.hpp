@@ -1,59 +1,83 @@
 // SPDX-License-Identifier: MIT
 // Resolves what a push of few joints has broken within the region around them: its rigid units are
-// pulled by their torsions to where the push left their joints, while the joints that the region
-// shares with the rest stay where they are.
+// pulled by their torsions to where the push left their joints, and pushed apart until limits and
+// sterics hold, while the joints that the region shares with the rest stay where they are.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/froda/bodies/articulated_step.hpp"
 #include "pliant/resolve/froda/bodies/working_trees.hpp"
+#include "pliant/resolve/local/local_contacts.hpp"
 #include "pliant/resolve/local/region_planner.hpp"
 
 namespace pliant {
 
+struct LocalOptions {
+  /// How many times as strongly as any other joint the pushed ones are pulled.
+  double weight = 1.0;
+  double goal = 0.02;  ///< Angstrom: contacts are repaired until they are broken by no more
+  double unit = 1.0;   ///< Angstrom: unit of lengths that bound and damp steps, 1 for molecules
+};
+
+/// What is pushed. All must outlive the call.
+struct LocalPush {
+  std::span<const Vec3> start;   ///< (N, Angstrom) positions at which all is whole
+  std::span<const Vec3> target;  ///< (N) the same, but for the pushed joints
+  std::span<const Joint> joints;  ///< the pushed joints, not empty
+  LimitsOff limits_off = {};
+  JointNeighbours* neighbours = nullptr;  ///< null: no sterics
+};
+
 struct LocalResult {
-  bool is_closed = false;  ///< the region hangs on the rest as before, to rounding
+  bool is_whole = false;  ///< the region hangs on the rest as before, and contacts hold
+  /// The share of the push that the pushed joints have followed.
+  double followed = 0.0;
   std::int64_t visits = 0;  ///< bodies visited, over all steps
 };
 
 /// Not thread-safe.
 class LocalSolver {
  public:
-  /// The framework must outlive it. `unit` (Angstrom) is the unit of lengths that bound and damp
-  /// steps, 1 for molecules.
-  explicit LocalSolver(const Framework& framework, double unit = 1.0);
+  /// The framework must outlive it.
+  LocalSolver(const Framework& framework, const Tolerance& tolerance, const LocalOptions& options);
 
-  /// How many times as strongly as any other joint the pushed ones are pulled.
-  void set_weight(double weight) { weight_ = weight; }
-
-  /// `start` (N, Angstrom): positions with whole bars. `target` (N): the same, but for the pushed
-  /// `joints`. The new positions are in places(); bars keep the lengths that they have at the
-  /// start, to rounding.
-  LocalResult resolve(std::span<const Vec3> start, std::span<const Vec3> target,
-                      std::span<const Joint> joints);
+  /// Resolves in a region of at most some `most_bodies`. The new positions are visited by
+  /// visit_moved(); bars keep the lengths that they have at the start, to rounding.
+  LocalResult resolve(const LocalPush& push, std::size_t most_bodies);
+  /// Whether the last region was all that is connected with what was pushed.
+  bool was_free() const { return plan_->cuts().empty() && !plan_->is_ground(0); }
 
   /// Calls visit(joint, its new position) for each joint of the region that may have moved.
   template <class Visit>
   void visit_moved(const Visit& visit) const;
 
  private:
-  void begin(std::span<const Vec3> start, std::span<const Vec3> target,
-             std::span<const Joint> joints);
+  void begin(const LocalPush& push, std::size_t most_bodies);
   void pull();
+  double pull_blindly();
+  void set_targets(double share);
+  void repair();
   bool close();
   double widest_gap() const;
+  double followed() const;
+  bool is_near() const;
   double step(const StepRequest& request);
 
   RegionPlanner planner_;
-  const BodyPlan* plan_ = nullptr;
+  const BodyPlan* plan_;
   WorkingTrees working_;
   ArticulatedStep step_;
-  double unit_;
-  double weight_ = 1.0;
+  LocalContacts contacts_;
+  Tolerance tolerance_;
+  LocalOptions options_;
+  bool has_contacts_;
   Vec3 origin_;
   double way_ = 0.0;  ///< longest push (Angstrom)
+  int legs_ = 1;
   std::vector<Vec3> x_, start_, push_, target_;  ///< of places, from the origin
   std::vector<PlacePull> pulls_;                 ///< of pushed joints
   std::int64_t visits_ = 0;

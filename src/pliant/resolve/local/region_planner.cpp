@@ -6,12 +6,10 @@
 namespace pliant {
 namespace {
 
-constexpr std::uint32_t unset = ~std::uint32_t{0};
-/// Bodies around what was pushed: enough that a chain closes over a dozen turns on either side.
-constexpr std::size_t most_bodies = 24;
+constexpr std::uint32_t no_place = ~std::uint32_t{0};
 constexpr std::size_t most_of_tail = 6;
 /// Larger units stay where they are unless they are pushed themselves.
-constexpr std::size_t most_joints = 64;
+constexpr std::size_t most_joints_of_unit = 64;
 
 }  // namespace
 
@@ -20,12 +18,13 @@ RegionPlanner::RegionPlanner(const Framework& framework)
       graph_(connect_units(framework, set_)),
       units_of_(set_, framework.joint_count()),
       is_in_(set_.size(), 0),
-      body_of_(set_.size(), unset) {
-  plan_.place_of_.assign(framework.joint_count(), unset);
+      body_of_(set_.size(), no_place) {
+  plan_.place_of_.assign(framework.joint_count(), no_place);
 }
 
-const BodyPlan& RegionPlanner::plan(std::span<const Joint> joints) {
+const BodyPlan& RegionPlanner::plan(std::span<const Joint> joints, std::size_t most_bodies) {
   clear();
+  most_bodies_ = most_bodies;
   choose(joints);
   place_ground();
   for (std::uint32_t unit : region_) hang_on_ground(unit);
@@ -37,9 +36,9 @@ const BodyPlan& RegionPlanner::plan(std::span<const Joint> joints) {
 void RegionPlanner::clear() {
   for (std::uint32_t unit : region_) {
     is_in_[unit] = 0;
-    body_of_[unit] = unset;
+    body_of_[unit] = no_place;
   }
-  for (Joint joint : plan_.joint_at_) plan_.place_of_[joint] = unset;
+  for (Joint joint : plan_.joint_at_) plan_.place_of_[joint] = no_place;
   region_.clear();
   bodies_ = 0;
   plan_.bodies_.clear();
@@ -49,7 +48,7 @@ void RegionPlanner::clear() {
   plan_.joint_at_.clear();
   plan_.body_at_.clear();
   plan_.cuts_.clear();
-  plan_.ground_ = unset;
+  plan_.ground_ = no_place;
 }
 
 /// Calls visit(other unit) for all units that share a connection with one.
@@ -76,8 +75,8 @@ void RegionPlanner::take(std::uint32_t unit, bool is_seed) {
 
 void RegionPlanner::take_around(std::uint32_t unit) {
   visit_around(unit, [&](std::uint32_t other) {
-    if (set_.at(other).size() > most_joints) return;
-    if (is_end(other) || bodies_ < most_bodies) take(other, false);
+    if (set_.at(other).size() > most_joints_of_unit) return;
+    if (is_end(other) || bodies_ < most_bodies_) take(other, false);
   });
 }
 
@@ -94,7 +93,7 @@ bool RegionPlanner::find_tail(std::uint32_t unit) {
   tail_.assign(1, unit);
   std::size_t bodies = 0;
   for (std::size_t k = 0; k < tail_.size(); ++k) {
-    if (set_.at(tail_[k]).size() > most_joints) return false;
+    if (set_.at(tail_[k]).size() > most_joints_of_unit) return false;
     if (!is_end(tail_[k]) && ++bodies > most_of_tail) return false;
     visit_around(tail_[k], [&](std::uint32_t other) {
       if (is_in_[other] == 0 && std::find(tail_.begin(), tail_.end(), other) == tail_.end())
@@ -114,7 +113,7 @@ bool RegionPlanner::has_unit_outside(Joint joint) const {
 void RegionPlanner::place_ground() {
   for (std::uint32_t unit : region_)
     for (Joint joint : set_.at(unit)) {
-      if (plan_.place_of_[joint] != unset || !has_unit_outside(joint)) continue;
+      if (plan_.place_of_[joint] != no_place || !has_unit_outside(joint)) continue;
       plan_.place_of_[joint] = static_cast<Slot>(plan_.joint_at_.size());
       plan_.joint_at_.push_back(joint);
       plan_.body_at_.push_back(0);
@@ -128,16 +127,16 @@ void RegionPlanner::place_ground() {
 
 /// Begins a part of the region at a unit with a connection to a unit outside.
 void RegionPlanner::hang_on_ground(std::uint32_t unit) {
-  if (body_of_[unit] != unset) return;
+  if (body_of_[unit] != no_place) return;
   for (const Link& connection : graph_.links.at(unit))
     for (const Link& other : graph_.links.at(connection.node))
       if (is_in_[other.node] == 0) return add_tree(unit, connection.node);
 }
 
 void RegionPlanner::add_tree_of_own(std::uint32_t unit) {
-  if (body_of_[unit] != unset) return;
+  if (body_of_[unit] != no_place) return;
   const auto first = static_cast<std::uint32_t>(plan_.bodies_.size());
-  add_tree(unit, unset);
+  add_tree(unit, no_place);
   end_tree(first);
 }
 
@@ -153,11 +152,11 @@ void RegionPlanner::add_tree(std::uint32_t root, UnitNode from) {
   while (!waiting_.empty()) {
     const Waiting next = waiting_.back();
     waiting_.pop_back();
-    if (body_of_[next.unit] != unset) continue;
+    if (body_of_[next.unit] != no_place) continue;
     add_body(next.unit, next.from, next.parent);
     for (const Link& connection : graph_.links.at(next.unit))
       for (const Link& other : graph_.links.at(connection.node))
-        if (is_in_[other.node] != 0 && body_of_[other.node] == unset)
+        if (is_in_[other.node] != 0 && body_of_[other.node] == no_place)
           waiting_.push_back({other.node, connection.node, body_of_[next.unit]});
   }
 }
@@ -165,8 +164,8 @@ void RegionPlanner::add_tree(std::uint32_t root, UnitNode from) {
 void RegionPlanner::add_body(std::uint32_t unit, UnitNode from, std::uint32_t parent) {
   PlanBody body;
   body.first_turn = static_cast<std::uint32_t>(plan_.turn_count_);
-  UnitConnection entry{unset, unset};
-  if (from != unset) {
+  UnitConnection entry{no_place, no_place};
+  if (from != no_place) {
     entry = graph_.connection(from);
     body.parent = static_cast<std::int32_t>(parent);
     body.a = place_in(parent, entry.a);
@@ -183,7 +182,7 @@ void RegionPlanner::add_body(std::uint32_t unit, UnitNode from, std::uint32_t pa
 }
 
 bool RegionPlanner::may_ride(std::uint32_t unit) const {
-  return is_in_[unit] == 1 && is_end(unit) && body_of_[unit] == unset;
+  return is_in_[unit] == 1 && is_end(unit) && body_of_[unit] == no_place;
 }
 
 void RegionPlanner::add_riders(std::uint32_t unit, std::uint32_t body) {
@@ -201,7 +200,7 @@ void RegionPlanner::add_joints(std::uint32_t unit, UnitConnection entry, std::ui
   for (Joint joint : set_.at(unit)) {
     if (joint == entry.a || joint == entry.b) continue;
     const auto place = static_cast<Slot>(plan_.joint_at_.size());
-    if (plan_.place_of_[joint] == unset) {
+    if (plan_.place_of_[joint] == no_place) {
       plan_.place_of_[joint] = place;
     } else {
       plan_.cuts_.push_back({place, plan_.place_of_[joint]});

@@ -19,12 +19,12 @@ class RegionPlanner {
   /// The framework must outlive it; it has no pinned joints and is not planar. O(bars), once.
   explicit RegionPlanner(const Framework& framework);
 
-  /// The units of `joints` (not empty) and those around them, nearest first over hinges, some dozens
-  /// in all; short tails as a whole. A unit at the end of a tail (a methyl group) rides on the unit
+  /// The units of `joints` (not empty) and those around them, nearest first over hinges
+  /// as bodies, up to some `most_bodies`; short tails as a whole. A unit at the end of a tail (a methyl group) rides on the unit
   /// that holds it, unless it was pushed itself. Joints that the region shares with other units are
   /// the ground's, and where it hangs on the ground more than once, the loops are cut. Without
   /// others it moves freely. The plan is valid until the next call.
-  const BodyPlan& plan(std::span<const Joint> joints);
+  const BodyPlan& plan(std::span<const Joint> joints, std::size_t most_bodies);
 
  private:
   void clear();
@@ -57,6 +57,7 @@ class RegionPlanner {
   std::vector<std::uint8_t> is_in_;     ///< (units) 1: in the region, 2: and pushed
   std::vector<std::uint32_t> body_of_;  ///< (units)
   std::size_t bodies_ = 0;              ///< units of the region that will be bodies
+  std::size_t most_bodies_ = 0;
   std::vector<std::uint32_t> tail_;
   /// A unit to be added, the connection over which it hangs, and the body there.
   struct Waiting {

@@ -11,6 +11,7 @@
 
 namespace pliant {
 
+class JointNeighbours;
 class KeptMeasure;
 class MovedJoints;
 
@@ -28,6 +29,8 @@ struct ResolveCall {
   /// Measures by the tolerance of the method's options, reusing earlier results. Null if there are
   /// only bars.
   KeptMeasure* measure = nullptr;
+  /// With `moved`, and sterics: the joints near each joint.
+  JointNeighbours* neighbours = nullptr;
 };
 
 class Method {

@@ -80,7 +80,7 @@ constexpr TorsionPeak allyl[] = {{120, 0, 12}, {0, 0.6, 12}, {60, 0.6, 12}, {180
 constexpr TorsionPeak hydrazine[] = {{90, 0, 16}, {180, 0, 14}, {0, 1.2, 14}};
 constexpr TorsionPeak beside_acyl[] = {{90, 0, 12}, {180, 0, 12}};
 
-constexpr BondTurnEntry table[] = {
+constexpr BondTurnEntry bond_turn_table[] = {
     {BondTurn::any, "any", any},
     {BondTurn::staggered, "staggered", staggered},
     {BondTurn::alkyl, "alkyl", alkyl},
@@ -140,8 +140,8 @@ constexpr BondTurnEntry table[] = {
 
 }  // namespace
 
-std::span<const BondTurnEntry> bond_turns() { return table; }
+std::span<const BondTurnEntry> bond_turns() { return bond_turn_table; }
 
-const BondTurnEntry& entry(BondTurn kind) { return table[static_cast<std::size_t>(kind)]; }
+const BondTurnEntry& entry(BondTurn kind) { return bond_turn_table[static_cast<std::size_t>(kind)]; }
 
 }  // namespace pliant

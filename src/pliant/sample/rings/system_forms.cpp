@@ -9,6 +9,7 @@
 #include "pliant/base/math/superposition.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/sample/rings/distance_fit.hpp"
+#include "pliant/sample/rings/ring_pucker.hpp"
 
 namespace pliant {
 namespace {

@@ -69,11 +69,17 @@ void ArticulatedPass::add_rows(std::span<const Vec3> x, std::span<const Distance
                                double factor) {
   const auto body_at = plan_.body_at();
   for (const DistanceRow& row : rows) {
-    const std::uint32_t i = body_at[row.i], j = body_at[row.j];
-    const Twist gi = row.direction(x[row.i]), gj = row.direction(x[row.j]);
+    const std::uint32_t i = body_at[row.i];
+    const Twist gi = row.direction(x[row.i]);
+    add_scaled(row.weight * row.gap, gi, force_[i]);
+    if (row.j == DistanceRow::still) {
+      add_direction(row.weight, gi, inertia_[i]);
+      continue;
+    }
+    const std::uint32_t j = body_at[row.j];
+    const Twist gj = row.direction(x[row.j]);
     add_direction(factor * row.weight, gi, inertia_[i]);
     add_direction(factor * row.weight, gj, inertia_[j]);
-    add_scaled(row.weight * row.gap, gi, force_[i]);
     add_scaled(-row.weight * row.gap, gj, force_[j]);
   }
 }

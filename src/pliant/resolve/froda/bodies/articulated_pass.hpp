@@ -18,6 +18,8 @@ namespace pliant {
 /// Two places that should move apart by `gap` along `along`, from j to i (Angstrom; negative:
 /// together).
 struct DistanceRow {
+  static constexpr Slot still = ~Slot{0};  ///< as j: a point that stays where it is
+
   Slot i = 0, j = 0;
   Vec3 along;
   double gap = 0.0, weight = 0.0;
