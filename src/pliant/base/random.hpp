@@ -29,6 +29,7 @@ enum class Domain : std::uint64_t {
   turn = 12,         ///< which domains of a sampled frame turn, and how
   pocket = 13,       ///< side chains and segments of a place in a sampled frame
   start = 14,        ///< how rings of a further start of conformers are shaken
+  region = 15,       ///< whether a push that a region cannot follow is tried in a larger one
 };
 
 /// Where a random number is used: all of its fields together make the draw.

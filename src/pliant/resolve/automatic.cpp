@@ -126,6 +126,7 @@ class Automatic final : public Method {
   }
 
   bool looks_near() const override { return methods_[0]->looks_near(); }
+  void prepare_near() override { methods_[0]->prepare_near(); }
 
  private:
   /// Made when it is needed first. A chain's last is not `limited` where nothing is before the

@@ -62,6 +62,10 @@ struct Resolver::MethodPlan {
     moved.note_all({});
   }
 
+  void prepare_near() {
+    if (method->looks_near()) method->prepare_near();
+  }
+
   /// Whether the method was given `moved` to note joints in, rather than all being noted before.
   bool begin(std::span<const Vec3> positions, const Disturbed& disturbed) {
     const bool continues = disturbed.continues && near_walker == options.walker;
@@ -160,8 +164,9 @@ void Resolver::check_arguments(std::span<const Vec3> positions, const Disturbed&
 
 ResolveSummary Resolver::resolve(std::span<Vec3> positions, const Disturbed& disturbed,
                                  std::int64_t step, std::span<const Vec3> reference) {
-  const auto start = Clock::now();
   check_arguments(positions, disturbed, reference);
+  if (!disturbed.all) plan_->prepare_near();
+  const auto start = Clock::now();
   ResolveSummary summary;
   summary.sweeps = summary.projections = 0;
   summary.dropped_bars = summary.finishing_sweeps = 0;

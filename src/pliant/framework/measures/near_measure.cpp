@@ -21,24 +21,10 @@ void NearMeasure::look(std::span<const Vec3> positions, std::span<const Joint> j
   for (Joint joint : joints) neighbours_->look(joint, positions[joint]);
 }
 
-void NearMeasure::measure_at(std::span<const Vec3> positions, Joint joint, LimitsOff off,
-                             ResidualSummary& found) const {
-  measure_bars(positions, joint, found);
-  if (!framework_.limits().empty()) measure_limits(positions, joint, off, found);
+void NearMeasure::measure_contacts(std::span<const Vec3> positions, Joint joint, LimitsOff off,
+                                   ResidualSummary& found) const {
+  measure_limits(positions, joint, off, found);
   if (neighbours_) measure_overlaps(positions, joint, found);
-}
-
-void NearMeasure::measure_bars(std::span<const Vec3> positions, Joint joint,
-                               ResidualSummary& found) const {
-  for (const Incidence& at : framework_.neighbours(joint)) {
-    const double rest = framework_.rest_lengths()[at.bar];
-    const double error = std::abs(residual(positions[joint], positions[at.joint], rest));
-    if (!(error <= tolerance_.of(rest))) found.within = false;
-    if (!std::isfinite(error)) found.finite = false;
-    if (!(error / rest > found.max_relative)) continue;
-    found.max_relative = error / rest;
-    found.worst_bar = at.bar;
-  }
 }
 
 void NearMeasure::measure_limits(std::span<const Vec3> positions, Joint joint, LimitsOff off,

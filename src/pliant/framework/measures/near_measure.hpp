@@ -3,6 +3,7 @@
 // framework.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 
@@ -27,13 +28,28 @@ class NearMeasure {
 
   /// Adds bars, limits and near joints of `joint` to `found`; its rms_relative stays as it is.
   void measure_at(std::span<const Vec3> positions, Joint joint, LimitsOff off,
-                  ResidualSummary& found) const;
+                  ResidualSummary& found) const {
+    measure_bars(positions, joint, found);
+    if (!framework_.has_bars_only()) measure_contacts(positions, joint, off, found);
+  }
 
   /// After begin(): the joints near each joint; null where the framework has no sterics.
   JointNeighbours* neighbours() { return neighbours_.get(); }
 
  private:
-  void measure_bars(std::span<const Vec3> positions, Joint joint, ResidualSummary& found) const;
+  void measure_bars(std::span<const Vec3> positions, Joint joint, ResidualSummary& found) const {
+    for (const Incidence& at : framework_.neighbours(joint)) {
+      const double rest = framework_.rest_lengths()[at.bar];
+      const double error = std::abs(residual(positions[joint], positions[at.joint], rest));
+      if (!(error <= tolerance_.of(rest))) found.within = false;
+      if (!std::isfinite(error)) found.finite = false;
+      if (!(error / rest > found.max_relative)) continue;
+      found.max_relative = error / rest;
+      found.worst_bar = at.bar;
+    }
+  }
+  void measure_contacts(std::span<const Vec3> positions, Joint joint, LimitsOff off,
+                        ResidualSummary& found) const;
   void measure_limits(std::span<const Vec3> positions, Joint joint, LimitsOff off,
                       ResidualSummary& found) const;
   void measure_overlaps(std::span<const Vec3> positions, Joint joint,

@@ -21,6 +21,8 @@ constexpr double most_local_legs = 1e3;
 /// Pulls end when one moves no body further than this share of the push.
 constexpr double settled_of_push = 0.05;
 constexpr int most_repairs = 30, most_closing_steps = 12;
+/// A step of Newton's method that leaves a larger share of the gaps does not converge.
+constexpr double least_closed = 0.2;
 /// A region whose joints go further than this many times the push is not near.
 constexpr double most_near = 4.0;
 
@@ -29,6 +31,7 @@ constexpr double most_near = 4.0;
 LocalSolver::LocalSolver(const Framework& framework, const Tolerance& tolerance,
                          const LocalOptions& options)
     : planner_(framework),
+      shapes_(framework),
       plan_(&planner_.plan({}, 0)),
       working_(*plan_),
       step_(*plan_, working_, options.unit),
@@ -68,6 +71,7 @@ void LocalSolver::begin(const LocalPush& push, std::size_t most_bodies) {
     push_[k] = push.target[joint_at[k]] - push.start[joint_at[k]];
   }
   x_ = start_;
+  shapes_.restore(planner_.units(), joint_at, start_, x_);
   target_.resize(x_.size());
   pulls_.clear();
   double square = 0.0;
@@ -121,11 +125,17 @@ void LocalSolver::repair() {
   }
 }
 
-/// Closes the loops over the ground by Newton's method.
+/// Closes the loops over the ground by Newton's method. Where a region is all stretched out, that
+/// hardly converges: then it is given up at once.
 bool LocalSolver::close() {
-  for (int k = 0; k < most_closing_steps && widest_gap() > widest_left * options_.unit; ++k)
+  double gap = widest_gap();
+  for (int k = 0; k < most_closing_steps && gap > widest_left * options_.unit; ++k) {
     step({{}, {}, {}, froda::last_bound * options_.unit, 0, {}});
-  return widest_gap() <= 10.0 * widest_left * options_.unit;
+    const double before = gap;
+    gap = widest_gap();
+    if (!(gap <= least_closed * before) && gap > 10.0 * widest_left * options_.unit) return false;
+  }
+  return gap <= 10.0 * widest_left * options_.unit;
 }
 
 double LocalSolver::step(const StepRequest& request) {

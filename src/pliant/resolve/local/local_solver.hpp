@@ -68,6 +68,7 @@ class LocalSolver {
   double step(const StepRequest& request);
 
   RegionPlanner planner_;
+  DrawnShapes shapes_;
   const BodyPlan* plan_;
   WorkingTrees working_;
   ArticulatedStep step_;

@@ -41,6 +41,8 @@ void RegionPlanner::clear() {
   for (Joint joint : plan_.joint_at_) plan_.place_of_[joint] = no_place;
   region_.clear();
   bodies_ = 0;
+  units_.clear();
+  first_unit_.clear();
   plan_.bodies_.clear();
   plan_.trees_.clear();
   plan_.tree_of_.clear();
@@ -123,6 +125,7 @@ void RegionPlanner::place_ground() {
   PlanBody ground;
   ground.last = static_cast<Slot>(plan_.joint_at_.size());
   plan_.bodies_.push_back(ground);
+  first_unit_.push_back(UnitPlaces::none);
 }
 
 /// Begins a part of the region at a unit with a connection to a unit outside.
@@ -163,42 +166,33 @@ void RegionPlanner::add_tree(std::uint32_t root, UnitNode from) {
 
 void RegionPlanner::add_body(std::uint32_t unit, UnitNode from, std::uint32_t parent) {
   PlanBody body;
+  UnitPlaces places;
   body.first_turn = static_cast<std::uint32_t>(plan_.turn_count_);
-  UnitConnection entry{no_place, no_place};
   if (from != no_place) {
-    entry = graph_.connection(from);
+    const UnitConnection entry = graph_.connection(from);
     body.parent = static_cast<std::int32_t>(parent);
-    body.a = place_in(parent, entry.a);
-    body.b = place_in(parent, entry.b);
+    places.parent = first_unit_[parent];
+    body.a = places.a = place_in(parent, entry.a);
+    body.b = places.b = place_in(parent, entry.b);
   }
-  const auto index = static_cast<std::uint32_t>(plan_.bodies_.size());
-  body_of_[unit] = index;
-  body.first = static_cast<Slot>(plan_.joint_at_.size());
-  add_joints(unit, entry, index);
-  add_riders(unit, index);
-  body.last = static_cast<Slot>(plan_.joint_at_.size());
+  body.first = body.last = static_cast<Slot>(plan_.joint_at_.size());
   plan_.turn_count_ += body.turns();
+  body_of_[unit] = static_cast<std::uint32_t>(plan_.bodies_.size());
   plan_.bodies_.push_back(body);
+  first_unit_.push_back(static_cast<std::uint32_t>(units_.size()));
+  add_unit(unit, places);
+  add_riders(unit);
 }
 
-bool RegionPlanner::may_ride(std::uint32_t unit) const {
-  return is_in_[unit] == 1 && is_end(unit) && body_of_[unit] == no_place;
-}
-
-void RegionPlanner::add_riders(std::uint32_t unit, std::uint32_t body) {
-  for (const Link& connection : graph_.links.at(unit))
-    for (const Link& other : graph_.links.at(connection.node)) {
-      if (other.node == unit || !may_ride(other.node)) continue;
-      body_of_[other.node] = body;
-      add_joints(other.node, graph_.connection(connection.node), body);
-    }
-}
-
-/// A joint that has a place already (the ground's, or another branch's) gets a copy here: a loop is
-/// cut.
-void RegionPlanner::add_joints(std::uint32_t unit, UnitConnection entry, std::uint32_t body) {
+/// The joints of a unit, to the last body. A joint that has a place already (the ground's, or
+/// another branch's) gets a copy here: a loop is cut.
+void RegionPlanner::add_unit(std::uint32_t unit, UnitPlaces places) {
+  const auto is_at = [&](Joint joint, Slot place) {
+    return place != UnitPlaces::none && plan_.joint_at_[place] == joint;
+  };
+  places.first = static_cast<Slot>(plan_.joint_at_.size());
   for (Joint joint : set_.at(unit)) {
-    if (joint == entry.a || joint == entry.b) continue;
+    if (is_at(joint, places.a) || is_at(joint, places.b)) continue;
     const auto place = static_cast<Slot>(plan_.joint_at_.size());
     if (plan_.place_of_[joint] == no_place) {
       plan_.place_of_[joint] = place;
@@ -206,8 +200,26 @@ void RegionPlanner::add_joints(std::uint32_t unit, UnitConnection entry, std::ui
       plan_.cuts_.push_back({place, plan_.place_of_[joint]});
     }
     plan_.joint_at_.push_back(joint);
-    plan_.body_at_.push_back(body);
+    plan_.body_at_.push_back(static_cast<std::uint32_t>(plan_.bodies_.size() - 1));
   }
+  places.last = plan_.bodies_.back().last = static_cast<Slot>(plan_.joint_at_.size());
+  units_.push_back(places);
+}
+
+bool RegionPlanner::may_ride(std::uint32_t unit) const {
+  return is_in_[unit] == 1 && is_end(unit) && body_of_[unit] == no_place;
+}
+
+void RegionPlanner::add_riders(std::uint32_t unit) {
+  const std::uint32_t body = body_of_[unit];
+  for (const Link& connection : graph_.links.at(unit))
+    for (const Link& other : graph_.links.at(connection.node)) {
+      if (other.node == unit || !may_ride(other.node)) continue;
+      body_of_[other.node] = body;
+      const UnitConnection entry = graph_.connection(connection.node);
+      add_unit(other.node, {0, 0, place_in(body, entry.a), place_in(body, entry.b),
+                            first_unit_[body]});
+    }
 }
 
 /// Where a body has a joint: among its own, else where its ancestors have it.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pliant/resolve/froda/bodies/body_plan.hpp"
+#include "pliant/resolve/local/drawn_shapes.hpp"
 #include "pliant/rigidity/unit_graph.hpp"
 
 namespace pliant {
@@ -26,6 +27,9 @@ class RegionPlanner {
   /// others it moves freely. The plan is valid until the next call.
   const BodyPlan& plan(std::span<const Joint> joints, std::size_t most_bodies);
 
+  /// The units of the bodies of the last plan, each after those on which it hangs.
+  std::span<const UnitPlaces> units() const { return units_; }
+
  private:
   void clear();
   void choose(std::span<const Joint> joints);
@@ -39,8 +43,8 @@ class RegionPlanner {
   void add_tree(std::uint32_t unit, UnitNode from);
   void add_tree_of_own(std::uint32_t unit);
   void add_body(std::uint32_t unit, UnitNode from, std::uint32_t parent);
-  void add_riders(std::uint32_t unit, std::uint32_t body);
-  void add_joints(std::uint32_t unit, UnitConnection entry, std::uint32_t body);
+  void add_unit(std::uint32_t unit, UnitPlaces places);
+  void add_riders(std::uint32_t unit);
   Slot place_in(std::uint32_t body, Joint joint) const;
   void end_tree(std::uint32_t first);
 
@@ -53,6 +57,8 @@ class RegionPlanner {
   UnitGraph graph_;
   UnitsOfJoints units_of_;
   BodyPlan plan_;
+  std::vector<UnitPlaces> units_;
+  std::vector<std::uint32_t> first_unit_;  ///< (bodies) of units_
   std::vector<std::uint32_t> region_;   ///< units, nearest first
   std::vector<std::uint8_t> is_in_;     ///< (units) 1: in the region, 2: and pushed
   std::vector<std::uint32_t> body_of_;  ///< (units)

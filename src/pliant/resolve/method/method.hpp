@@ -45,6 +45,8 @@ class Method {
 
   /// Whether it can visit only what few disturbed joints reach.
   virtual bool looks_near() const { return false; }
+  /// Makes the plan of such visits, if it has none: its time is not that of a step.
+  virtual void prepare_near() {}
 };
 
 }  // namespace pliant
