@@ -45,7 +45,7 @@ WINGS = {
     "molecule/read": ("shared", "pdb", "cif", "sdf", "xyz"),
     "model": ("atoms", "prepare", "contacts", ITSELF, "rigidity"),
     "perturb": (ITSELF, "force_files"),
-    "resolve": ("method", "sweeps", "direct", "blocks", "units", "lanes", "froda"),
+    "resolve": ("method", "sweeps", "direct", "blocks", "units", "lanes", "froda", "local"),
     "resolve/froda": ("bodies", "near"),
     "sample": ("network", "turns", "rings", "conformers", "strain", "choice", "pocket"),
     "record": ("hdf5", "h5md", "xml"),

@@ -44,7 +44,7 @@ struct Resolver::MethodPlan {
   std::unique_ptr<Method> method;
   MovedJoints moved;  ///< by the last resolve, and where they were before
   std::vector<std::uint8_t> limits_off;
-  std::unique_ptr<KeptMeasure> kept;  ///< null: bars alone
+  std::unique_ptr<KeptMeasure> kept;  ///< null: bars alone, or not needed yet
   NearMeasure near;
   std::optional<std::uint64_t> near_walker;  ///< what `near` knows is of this walker
 
@@ -57,8 +57,6 @@ struct Resolver::MethodPlan {
     method = entry_of(technique).make(framework, technique, options);
     if (framework.has_bars_only() && shifts_to_mass_centre(technique_used(framework, technique)))
       method = keep_mass_centre(framework, std::move(method));
-    if (!framework.has_bars_only())
-      kept = std::make_unique<KeptMeasure>(framework, options.tolerance);
     moved.note_all({});
   }
 
@@ -72,6 +70,7 @@ struct Resolver::MethodPlan {
     near_walker.reset();
     const bool is_near = !disturbed.all && !positions.empty() && method->looks_near();
     if (!is_near || !near.begin(positions, disturbed.joints, continues)) {
+      measure_by_kept();
       moved.note_all(positions);
       return false;
     }
@@ -80,9 +79,15 @@ struct Resolver::MethodPlan {
     return true;
   }
 
+  void measure_by_kept() {
+    if (!kept && !framework.has_bars_only())
+      kept = std::make_unique<KeptMeasure>(framework, options.tolerance);
+  }
+
   /// Measures what came out. Here alone positions are put back, where a number was not finite.
   void finish(std::span<Vec3> positions, const Disturbed& disturbed, ResolveSummary& summary) {
     if (!moved.holds_all()) near.look(positions, moved.joints());
+    else measure_by_kept();  // a near call may end as one of all
     ResidualSummary found = look(positions, disturbed);
     summary.worst_bar = found.worst_bar;
     if (!found.finite || summary.stop == Stop::not_finite) {

@@ -172,8 +172,12 @@ std::string Walk::what_is_missed(const ResidualSummary& start) const {
   return "least distances, worst " + framework_.label(start.worst_overlap) + by(start.max_overlap);
 }
 
-void Walk::measure_all(ResolveSummary& resolved) const {
-  const ResidualSummary all = measured();
+/// Frames are measured again and again, mostly after few joints have moved.
+void Walk::measure_all(ResolveSummary& resolved) {
+  if (!framework_.has_bars_only() && !kept_)
+    kept_ = std::make_unique<KeptMeasure>(framework_, resolve_.tolerance);
+  const ResidualSummary all =
+      kept_ ? kept_->measure(state_.positions, state_.limits_off) : measured();
   resolved.max_residual = all.max_relative;
   resolved.rms_residual = all.rms_relative;
   resolved.worst_bar = all.worst_bar;

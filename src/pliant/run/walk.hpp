@@ -2,8 +2,10 @@
 // The steps of one walker in three parts, so that several walkers can be resolved at once.
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "pliant/framework/measures/kept_measure.hpp"
 #include "pliant/perturb/push_chain.hpp"
 #include "pliant/run/motion.hpp"
 
@@ -45,7 +47,7 @@ class Walk {
  private:
   ResidualSummary measured() const;
   std::string what_is_missed(const ResidualSummary& start) const;
-  void measure_all(ResolveSummary& resolved) const;
+  void measure_all(ResolveSummary& resolved);
   void note(const ResolveSummary& resolved);
   ResolveSummary resolve_disturbed(Resolver& resolver, const Disturbed& disturbed);
 
@@ -57,6 +59,7 @@ class Walk {
   PushChain pushers_;
   RunSummary summary_;
   ResolveSummary last_;           ///< of the last step, or of the start
+  std::unique_ptr<KeptMeasure> kept_;  ///< of frames with limits; null: not needed yet
   std::optional<bool> is_whole_;  ///< all bars, before the push; none: not checked
   bool continues_ = false;        ///< nobody but the last resolve has moved joints since
   bool is_pushed_ = false;        ///< a step has begun and not ended

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/local/drawn_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pliant/examples/examples.hpp"
+#include "pliant/resolve/local/region_planner.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant::drawn_shapes_test {
+
+struct Region {
+  Framework framework;
+  RegionPlanner planner;
+  const BodyPlan& plan;
+  std::vector<Vec3> x;
+
+  explicit Region(const Sketch& sketch)
+      : framework(framework_of(sketch)),
+        planner(framework),
+        plan(planner.plan(std::vector<Joint>{30}, 40)) {
+    for (Joint joint : plan.joint_at()) x.push_back(sketch.positions[joint]);
+  }
+  std::vector<Vec3> restored(std::span<const Vec3> start) const {
+    std::vector<Vec3> out(start.begin(), start.end());
+    DrawnShapes(framework).restore(planner.units(), plan.joint_at(), start, out);
+    return out;
+  }
+  double worst(std::span<const Vec3> places) const {
+    double worst = 0.0;
+    for (const UnitPlaces& unit : planner.units())
+      for (Slot a = unit.first; a < unit.last; ++a)
+        for (Slot b = a + 1; b < unit.last; ++b)
+          worst = std::max(worst, std::abs(distance(places[a], places[b]) -
+                                           distance(x[a], x[b])));
+    return worst;
+  }
+};
+
+Sketch sketch_of_chain() { return with_angles(shaken(chain(60), 0.25)); }
+
+/// What is a little off is as drawn again, and far ends stay where they were to the same order.
+TEST(DrawnShapes, TakeOffWhatRoundingAddsUp) {
+  const Region region(sketch_of_chain());
+  std::vector<Vec3> off = region.x;
+  RandomSequence draws({3, Domain::generate});
+  for (Vec3& x : off) x += 1e-9 * draws.direction();
+  const std::vector<Vec3> out = region.restored(off);
+  EXPECT_GT(region.worst(off), 1e-10);
+  EXPECT_LT(region.worst(out), 1e-13);
+  EXPECT_LT(test::largest_difference(out, off), 1e-6);
+}
+
+TEST(DrawnShapes, ChangeWhatIsAsDrawnByRoundingAlone) {
+  const Region region(sketch_of_chain());
+  EXPECT_LT(test::largest_difference(region.restored(region.x), region.x), 1e-12);
+}
+
+TEST(DrawnShapes, LeaveAllAsItIsWhereAUnitHasAnotherShape) {
+  const Region region(sketch_of_chain());
+  std::vector<Vec3> other = region.x;
+  other[region.planner.units().back().first] += Vec3{0, 0, 0.3};
+  EXPECT_TRUE(test::same_bits(region.restored(other), other));
+}
+
+}  // namespace pliant::drawn_shapes_test
