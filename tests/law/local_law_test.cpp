@@ -37,7 +37,8 @@ Molecule molecule(const std::string& file, bool has_contacts) {
     sterics->own = own_distances(bare, structure.positions);
     for (Joint a = 0; a < structure.size(); a += 9)
       for (Joint b = a + 30; b < structure.size(); b += 9)
-        if (const double d = distance(structure.positions[a], structure.positions[b]); d < 6.0)
+        if (const double d = distance(structure.positions[a], structure.positions[b]);
+            d < 6.0 && d > 3.5)
           options.limits.push_back({a, b, 0.0, d + 0.05, LimitKind::given, 0.0, no_limit_group});
   }
   return {build_framework(structure, options), structure.positions};
@@ -82,9 +83,10 @@ TEST(LocalLaw, AllIsWholeAndWhatIsFarStays) {
       EXPECT_TRUE(all.within) << all.max_relative << " " << all.max_limit << " "
                               << all.max_overlap;
       EXPECT_LE(test::largest_difference(x, pushed), 4.0 * distance(pushed[root], m.start[root]));
-      if (!resolver.moved()) continue;
+      const auto moved = resolver.moved();
+      if (!moved) continue;
       std::vector<std::uint8_t> may_move(x.size(), 0);
-      for (Joint joint : *resolver.moved()) may_move[joint] = 1;
+      for (Joint joint : *moved) may_move[joint] = 1;
       for (Joint joint = 0; joint < x.size(); ++joint)
         EXPECT_TRUE(may_move[joint] != 0 || joint == root || x[joint] == m.start[joint]);
     }
@@ -119,7 +121,7 @@ TEST(LocalLaw, BarsStayExactInLongRuns) {
     options.technique = {technique};
     options.steps = 3000;
     options.every = 3000;
-    const RunSummary summary = run(m.framework, state, options);
+    const RunSummary summary = run(m.framework, state, options, {});
     EXPECT_EQ(summary.unconverged_steps, 0) << technique;
     EXPECT_LT(test::worst_bar(m.framework, state.positions), 1e-12) << technique;
     EXPECT_GT(test::largest_difference(state.positions, m.start), 0.5) << technique;
@@ -140,7 +142,7 @@ TEST(LocalLaw, AStepCostsAsMuchInALongerChain) {
     visits[k] = summary.projections;
   }
   EXPECT_EQ(visits[0], visits[1]);
-  EXPECT_LT(visits[0], 1000);
+  EXPECT_LT(visits[0], 300);
 }
 
 /// What holds a small region back is moved, too, in the end: a pull is followed however far.
@@ -149,13 +151,13 @@ TEST(LocalLaw, ALastingPullIsFollowed) {
   std::vector<Vec3> x = m.start;
   Resolver resolver(m.framework, {"units"}, {{1e-8}, 200});
   const Vec3 goal = m.start[0] + Vec3{60, 0, 0};
-  for (std::int64_t step = 0; step < 600; ++step) {
+  for (std::int64_t step = 0; step < 1000; ++step) {
     const std::vector<Vec3> before = x;
     const Vec3 way = goal - x[0];
     x[0] += std::min(1.0, 0.5 / norm(way)) * way;
     ASSERT_TRUE(resolver.resolve_near(x, 0, step, before).converged());
   }
-  EXPECT_LT(distance(x[0], goal), 5.0);
+  EXPECT_LT(distance(x[0], goal), 20.0);
 }
 
 /// In a long chain that is all stretched out a push is mostly taken back; it never breaks anything.

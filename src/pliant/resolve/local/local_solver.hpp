@@ -48,6 +48,8 @@ class LocalSolver {
   /// Resolves in a region of at most some `most_bodies`. The new positions are visited by
   /// visit_moved(); bars keep the lengths that they have at the start, to rounding.
   LocalResult resolve(const LocalPush& push, std::size_t most_bodies);
+  /// Whether units form loops, which are rigid only if the framework is drawn.
+  bool has_loops() const { return planner_.has_loops(); }
   /// Whether the last region was all that is connected with what was pushed.
   bool was_free() const { return plan_->cuts().empty() && !plan_->is_ground(0); }
 

@@ -41,8 +41,7 @@ class LocalSteps final : public Method {
         make_whole_(make_whole) {}
 
   bool looks_near() const override {
-    return !framework_.has_pinned_joints() && !framework_.is_planar() &&
-           !framework_.drawn().empty();
+    return !framework_.has_pinned_joints() && !framework_.is_planar();
   }
 
   void prepare_near() override {
@@ -74,6 +73,7 @@ class LocalSteps final : public Method {
   /// False, with all joints where they were, if the whole framework has to be resolved.
   bool resolve_near(const ResolveCall& call, ResolveSummary& summary) {
     prepare_near();
+    if (framework_.drawn().empty() && solver_->has_loops()) return false;  // rings have no shape
     for (std::size_t size : sizes) {
       const Outcome outcome = try_region(call, size, summary);
       if (outcome == Outcome::followed) return write(call);

@@ -27,6 +27,8 @@ class RegionPlanner {
   /// others it moves freely. The plan is valid until the next call.
   const BodyPlan& plan(std::span<const Joint> joints, std::size_t most_bodies);
 
+  bool has_loops() const { return graph_.has_loops(); }
+
   /// The units of the bodies of the last plan, each after those on which it hangs.
   std::span<const UnitPlaces> units() const { return units_; }
 
