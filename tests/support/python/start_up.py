@@ -55,9 +55,7 @@ def counted(*words: str | Path) -> Counts:
             subprocess.run(words, env=environment, check=True)
         out = Path(name) / "out"
         valgrind = ["valgrind", "--tool=callgrind", "-q", f"--callgrind-out-file={out}"]
-        subprocess.run(
-            [*valgrind, *words], env=environment, check=True, stdout=subprocess.DEVNULL
-        )
+        subprocess.run([*valgrind, *words], env=environment, check=True, stdout=subprocess.DEVNULL)
         return split(out.read_text().splitlines())
 
 
