@@ -34,12 +34,14 @@ def _turn(length: float, angle: float, torsion: np.ndarray) -> np.ndarray:
         [s * sb, s * cb, c, length * s * sb],
         [none, none, none, one],
     ]
-    return np.moveaxis(np.array(rows), -1, 0)
+    found: np.ndarray = np.moveaxis(np.array(rows), -1, 0)
+    return found
 
 
 def _products(steps: np.ndarray) -> np.ndarray:
     """(R, 4, 4): step 0, steps 0 and 1, ...: doubling, so that a million take no loop over them."""
-    found, reach = steps.copy(), 1
+    found: np.ndarray = steps.copy()
+    reach = 1
     while reach < len(found):
         found[reach:] = found[:-reach] @ found[reach:]
         reach *= 2
@@ -53,7 +55,8 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
 
 def _opposite(at: np.ndarray, *others: np.ndarray, length: float) -> np.ndarray:
     """The atom on the far side of an atom's other neighbours."""
-    found: np.ndarray = at - length * _unit(sum(_unit(other - at) for other in others))
+    away = np.sum([_unit(other - at) for other in others], axis=0)
+    found: np.ndarray = at - length * _unit(away)
     return found
 
 
@@ -74,11 +77,11 @@ def _methyl(cb: np.ndarray, ca: np.ndarray, n: np.ndarray) -> list[np.ndarray]:
     across = _unit(np.cross(axis, n - ca))
     up = np.cross(across, axis)
     tilt = math.radians(180.0 - 109.5)
-    turns = np.radians([60.0, 180.0, 300.0])
+    out = math.cos(tilt) * axis
     return [
-        cb + 1.09 * (math.cos(tilt) * axis + math.sin(tilt) * (math.cos(t) * up + math.sin(t) * across))
-        for t in turns
-    ]  # fmt: skip
+        cb + 1.09 * (out + math.sin(tilt) * (math.cos(turn) * up + math.sin(turn) * across))
+        for turn in np.radians([60.0, 180.0, 300.0])
+    ]
 
 
 def peptide_positions(residues: int) -> np.ndarray:

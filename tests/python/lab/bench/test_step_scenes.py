@@ -145,7 +145,7 @@ def test_memory_grows_with_the_joints():
 
 
 def test_models_need_atoms():
-    with pytest.raises(pliant.OptionError, match='"zigzag" has no atoms.*peptide, copies have'):
+    with pytest.raises(pliant.OptionError, match=r'"zigzag" has no atoms.*peptide, copies have'):
         stepping.steps_of_pushes(kinds=("zigzag",), model="protein")
 
 
