@@ -87,9 +87,9 @@ void run_newton(Result& result, SparseNewton& newton, const Framework& framework
 
 void print(const char* name, const Result& result, std::size_t bars, double theirs, int rounds) {
   const double seconds = median(result.seconds);
-  std::printf("  %-14s %9.1f us %7.2f ns a bar %6.2f x  %2d steps, error %.1e", name,
-              1e6 * seconds, 1e9 * seconds / static_cast<double>(bars), theirs / seconds,
-              result.steps, result.own_error);
+  std::printf("  %-14s %9.1f us %7.2f ns a bar %6.2f x  %2d steps, error %.1e", name, 1e6 * seconds,
+              1e9 * seconds / static_cast<double>(bars), theirs / seconds, result.steps,
+              result.own_error);
   if (result.error > 2 * result.own_error) std::printf(", of all bars %.1e", result.error);
   std::printf(result.failed > 0 ? ", %d of %d failed\n" : "\n", result.failed, rounds);
 }
@@ -109,8 +109,7 @@ void run_round(Contenders& all, std::vector<Result>& results, const Framework& f
   auto result = results.begin();
   for (SparseNewton& newton : all.theirs)
     run_newton(*result++, newton, framework, broken, whole, tolerance);
-  for (Resolver& resolver : all.ours)
-    run_ours(*result++, resolver, framework, broken, tolerance);
+  for (Resolver& resolver : all.ours) run_ours(*result++, resolver, framework, broken, tolerance);
 }
 
 /// The least time of those of theirs that never failed; of all, if all did.
@@ -124,8 +123,8 @@ double their_seconds(std::span<const Result> results) {
 }
 
 /// How many rounds of ours ended with a bar that is not whole.
-int race(const Framework& framework, std::span<const Vec3> whole,
-         std::deque<SparseNewton>& theirs, double tolerance, const Options& options) {
+int race(const Framework& framework, std::span<const Vec3> whole, std::deque<SparseNewton>& theirs,
+         double tolerance, const Options& options) {
   Contenders all{.theirs = theirs};
   for (const char* name : our_names) {
     ResolveOptions asked;
@@ -159,10 +158,11 @@ int race_on(const std::string& file, const Options& options) {
   std::deque<SparseNewton> theirs;
   for (const NewtonMatrix kind : {NewtonMatrix::unsymmetric, NewtonMatrix::symmetric})
     theirs.emplace_back(framework, kept, kind);
-  std::printf("%s: %zu joints, %zu bars; theirs: %zu independent (sine %.2g or more); each joint "
-              "off by %.2g A\n",
-              std::filesystem::path(file).filename().c_str(), framework.joint_count(),
-              framework.bar_count(), kept.size(), options.least_sine, options.displacement);
+  std::printf(
+      "%s: %zu joints, %zu bars; theirs: %zu independent (sine %.2g or more); each joint "
+      "off by %.2g A\n",
+      std::filesystem::path(file).filename().c_str(), framework.joint_count(),
+      framework.bar_count(), kept.size(), options.least_sine, options.displacement);
   int failed = 0;
   for (const double tolerance : {1e-8, 1e-10})
     failed += race(framework, structure.positions, theirs, tolerance, options);
@@ -175,11 +175,16 @@ Options parse(int count, char** words) {
     const std::string word = words[k];
     const bool has_value = word.starts_with("--");
     const std::string value = has_value && k + 1 < count ? words[++k] : "";
-    if (word == "--bars") options.bars = value == "bonds" ? BarKind::bonds : BarKind::angles;
-    else if (word == "--displacement") options.displacement = std::stod(value);
-    else if (word == "--least-sine") options.least_sine = std::stod(value);
-    else if (word == "--rounds") options.rounds = std::stoi(value);
-    else options.files.push_back(word);
+    if (word == "--bars")
+      options.bars = value == "bonds" ? BarKind::bonds : BarKind::angles;
+    else if (word == "--displacement")
+      options.displacement = std::stod(value);
+    else if (word == "--least-sine")
+      options.least_sine = std::stod(value);
+    else if (word == "--rounds")
+      options.rounds = std::stoi(value);
+    else
+      options.files.push_back(word);
   }
   return options;
 }

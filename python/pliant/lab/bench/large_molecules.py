@@ -2,8 +2,8 @@
 """Molecules of any size with real geometry: one long peptide chain, and copies of one molecule.
 
 The chain is polyalanine with all hydrogens, in turns a helix of twelve residues and a strand of
-four. That repeats itself along a screw, so that no part comes near another, and the helices have the
-hydrogen bonds of helices. Bond lengths and angles: Engh and Huber, Acta Cryst. A47 (1991) 392.
+four. That repeats itself along a screw, so that no part comes near another, and helices have their
+hydrogen bonds. Bond lengths and angles: Engh and Huber, Acta Cryst. A47 (1991) 392.
 """
 
 from __future__ import annotations
