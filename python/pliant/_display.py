@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable
-from html import escape
 from typing import Any
 
 import numpy as np
@@ -24,6 +23,8 @@ ROW = (
 
 def as_html(title: str, facts: Iterable[tuple[str, str]]) -> str:
     """The facts as a table; text is escaped."""
+    from html import escape  # slow to import: it knows 2231 names of characters
+
     rows = "".join(ROW.format(escape(what), escape(value)) for what, value in facts)
     return TABLE.format(escape(title), rows)
 

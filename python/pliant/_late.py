@@ -4,15 +4,18 @@
 from __future__ import annotations
 
 import importlib
-import importlib.abc
 import importlib.util
 import sys
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from importlib.abc import Loader, MetaPathFinder
     from importlib.machinery import ModuleSpec
     from types import ModuleType
+else:
+    # At run time these bases would only cost: importlib.abc imports tempfile and twenty more.
+    Loader = MetaPathFinder = object
 
 
 def import_after(package: str, module: str) -> None:
@@ -23,7 +26,7 @@ def import_after(package: str, module: str) -> None:
         sys.meta_path.insert(0, _Finder(package, module))
 
 
-class _Finder(importlib.abc.MetaPathFinder):
+class _Finder(MetaPathFinder):
     """Finds one package as the other finders do, but with a loader that does more. Once only."""
 
     def __init__(self, package: str, module: str) -> None:
@@ -42,10 +45,10 @@ class _Finder(importlib.abc.MetaPathFinder):
         return spec
 
 
-class _Loader(importlib.abc.Loader):
+class _Loader(Loader):
     """Loads a package, then imports a module that builds on it."""
 
-    def __init__(self, loader: importlib.abc.Loader, module: str) -> None:
+    def __init__(self, loader: Loader, module: str) -> None:
         self._loader = loader
         self._module = module
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import ast
-import difflib
 import gc
 import inspect
 import math
@@ -85,6 +84,8 @@ def refuse_unknown(function: str, names: Iterable[str], named: Iterable[str]) ->
     known = list(names)
     for name in named:
         if name not in known:
+            import difflib
+
             like = difflib.get_close_matches(name, known, 1)
             hint = f" (did you mean {like[0]!r}?)" if like else ""
             if not like and len(known) <= MOST_LISTED:

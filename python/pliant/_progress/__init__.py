@@ -6,7 +6,6 @@ They are tqdm's where it is installed (MDAnalysis brings it). TQDM_DISABLE=1 hid
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import sys
 import time
@@ -43,10 +42,16 @@ def in_notebook() -> bool:
     return getattr(shell, "kernel", None) is not None
 
 
+def _is_one_of_several() -> bool:
+    """Whether multiprocessing has begun this process; it is then imported, else need not be."""
+    multiprocessing = sys.modules.get("multiprocessing")
+    return multiprocessing is not None and multiprocessing.parent_process() is not None
+
+
 def _is_wanted() -> bool:
     if _hidden or os.environ.get("TQDM_DISABLE", "0") not in ("", "0"):
         return False
-    if multiprocessing.parent_process() is not None:  # one of several: all would draw at once
+    if _is_one_of_several():  # all would draw at once
         return False
     return in_notebook() or (sys.stderr is not None and sys.stderr.isatty())
 

@@ -6,7 +6,6 @@ An object is known by its attributes, so that it may be of a package that is not
 
 from __future__ import annotations
 
-import difflib
 import importlib
 import os
 from collections.abc import Callable
@@ -111,6 +110,8 @@ def _read(path: str | os.PathLike[str]) -> Structure:
 
 def _near(path: Path) -> str:
     """What a name that there is not may have been meant for, or where it was looked for."""
+    import difflib
+
     there = os.listdir(path.parent) if path.parent.is_dir() else []
     for like in difflib.get_close_matches(path.name, there, 1, 0.8):
         return f'(did you mean "{(path.parent / like).as_posix()}"?)'

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import base64
-import json
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -42,6 +40,8 @@ def with_connection(page: bytes, address: str) -> bytes:
 
 def with_block(page: bytes, facts: Mapping[str, object]) -> bytes:
     """The page with `facts` as a block of data, which its policy takes for no script."""
+    import json
+
     text = json.dumps(facts).replace("<", "\\u003c")
     block = f'<script type="application/json" id="given">{text}</script>'
     return page.replace(PLACE, block.encode("ascii"), 1)
@@ -49,6 +49,8 @@ def with_block(page: bytes, facts: Mapping[str, object]) -> bytes:
 
 def with_file(page: bytes, name: str, data: bytes, **facts: object) -> bytes:
     """The page with a file inside, which it opens; `facts` tell how."""
+    import base64
+
     file = {"name": name, "data": base64.b64encode(data).decode("ascii")}
     return with_block(page, {**file, **facts})
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -106,14 +105,18 @@ def given_of(source: Any) -> Given:
 
 def _of_frames(source: HasFrames) -> Given:
     """A trajectory, to be played."""
-    with tempfile.TemporaryDirectory() as folder:
+    from tempfile import TemporaryDirectory
+
+    with TemporaryDirectory() as folder:
         path = source.save(Path(folder) / "frames.h5md")
         return Given(path.name, page.read_given(path), np.array(source[0]))
 
 
 def _of_structure(structure: Structure) -> Given:
     """A PDB file, with each digit of the positions and the bonds beside it."""
-    with tempfile.TemporaryDirectory() as folder:
+    from tempfile import TemporaryDirectory
+
+    with TemporaryDirectory() as folder:
         file = Path(folder) / "structure.pdb"
         centred = structure.positions - structure.positions.mean(axis=0)  # fits the format sooner
         write_topology_pdb(file, structure, positions=centred)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What a step costs after a push of one joint, in small and in large frameworks."""
+"""What a step costs after a push of one joint, in small and in large frameworks and molecules."""
 
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
@@ -12,21 +13,27 @@ import numpy as np
 
 import pliant
 from pliant import _bars, console
-from pliant.lab.bench.large_frameworks import KINDS
+from pliant.lab.bench.step_memory import bytes_per_joint
+from pliant.lab.bench.step_scenes import Scene, check_kind, make_scene
 
 SIZES = (1e4, 1e6)
 TECHNIQUES = ("blocks", "auto")
 STEPS, ROUNDS = 20_000, 9
+SECONDS = 2.0  #: that a round takes at most, by what the first steps take
+PILOT = 20  #: steps by which the number of a round's steps is found
+LIMIT_TOLERANCE, OVERLAP_TOLERANCE = 0.01, 0.1  #: Angstrom, as of `run`
 
 
 @dataclass
 class StepRow:
     """One technique on one kind of framework of one size. Times are medians over the rounds."""
 
-    kind: str
+    kind: str  #: of framework or molecule, or the name of a file
+    model: str  #: bonds, angles, molecule or protein
     technique: str
     joints: int
     bars: int
+    steps: int = 0  #: of a round
     step_microseconds: float = math.nan  #: push and resolve
     quarter: float = math.nan  #: a quarter of the rounds took less
     three_quarters: float = math.nan  #: a quarter took more
@@ -34,8 +41,12 @@ class StepRow:
     ratio: float = math.nan  #: to the smallest size
     ratio_least: float = math.nan  #: three quarters of the smallest over a quarter of this
     ratio_most: float = math.nan
+    bytes_per_joint: float | None = None  #: of framework, plan and positions, while it runs
+    bytes_to_make: float | None = None  #: at most while the framework is made
     unconverged: int = 0  #: steps
-    max_residual: float = math.nan  #: at the end, measured anew
+    max_residual: float = math.nan  #: of all bars at the end, measured anew
+    max_limit: float = math.nan  #: Angstrom beyond an interval, at the end, measured anew
+    max_overlap: float = math.nan  #: Angstrom, at the end, by pliant.measure
     faults: list[str] = field(default_factory=list)
 
 
@@ -45,7 +56,7 @@ class Steps:
 
     weighting: float
     tolerance: float
-    steps: int  #: of a round
+    steps: int  #: of a round, at most
     rows: list[StepRow] = field(default_factory=list)
 
     @property
@@ -61,21 +72,40 @@ class Steps:
 class Subject:
     """A framework that is run on and on by one technique; the plan is not among the times."""
 
-    def __init__(self, kind: str, size: int, technique: str, options: dict[str, Any]) -> None:
-        large = KINDS[kind](size)
-        self._bars = large.bars
-        self._lengths = _bars.lengths(large.positions, large.bars)
-        self._framework = pliant.Framework(
-            large.bars.astype(np.uint32), self._lengths, len(large.positions)
-        )
-        self._state = pliant.State(large.positions)
+    def __init__(self, scene: Scene, technique: str, options: dict[str, Any]) -> None:
+        self._framework = scene.framework
+        self._bars = np.array(scene.framework.bars, dtype=np.int64).reshape(-1, 2)
+        self._lengths = np.array(scene.framework.rest_lengths)
+        self._state = pliant.State(scene.positions)
         self._options = options
-        self.row = StepRow(kind, technique, len(large.positions), len(large.bars))
+        self.row = StepRow(
+            scene.kind, scene.model, technique, len(scene.positions), len(self._bars)
+        )
         self.times: list[float] = []
         self._projections: list[float] = []
 
-    def run(self, steps: int) -> None:
-        """So many steps more, timed by the run's own summary."""
+    def choose_steps(self, most: int, seconds: float) -> None:
+        """So many for a round that it takes `seconds`, but `most` at most."""
+        summary = self._go_on(min(PILOT, most))
+        step = (summary.perturb_seconds + summary.resolve_seconds) / summary.steps
+        self.row.steps = max(1, min(most, int(seconds / max(step, 1e-9))))
+
+    def run(self) -> None:
+        """One round: its steps less a quarter as many, so that what only a start takes is out."""
+        short = self._go_on(self.row.steps // 4) if self.row.steps >= 8 else None
+        long = self._go_on(self.row.steps)
+        seconds, projections, steps = _sums(long)
+        if short is not None:
+            less = _sums(short)
+            seconds, projections, steps = (
+                seconds - less[0],
+                projections - less[1],
+                steps - less[2],
+            )
+        self.times.append(max(seconds, 0.0) / steps)
+        self._projections.append(projections / steps)
+
+    def _go_on(self, steps: int) -> pliant.RunSummary:
         summary = pliant.run(
             self._framework,
             self._state,
@@ -84,9 +114,8 @@ class Subject:
             technique=self.row.technique,
             **self._options,
         )
-        self.times.append((summary.perturb_seconds + summary.resolve_seconds) / steps)
-        self._projections.append(summary.projections / steps)
         self.row.unconverged += summary.unconverged_steps
+        return summary
 
     def finish(self, warm_up: int) -> None:
         """Fills the row; the first rounds do not count."""
@@ -95,47 +124,108 @@ class Subject:
             float, np.percentile(times, (25, 50, 75))
         )
         row.projections = float(np.mean(self._projections[warm_up:]))
-        row.max_residual = _bars.worst_residual(self._state.positions, self._bars, self._lengths)
+        self._judge(np.asarray(self._state.positions))
+
+    def _judge(self, positions: np.ndarray) -> None:
+        row, tolerance = self.row, self._options["tolerance"]
+        row.max_residual = _bars.worst_residual(positions, self._bars, self._lengths)
+        row.max_limit = worst_limit(positions, self._framework.limits)
+        row.max_overlap = float(pliant.measure(self._framework, positions).max_overlap)
         if row.unconverged:
             row.faults.append(f"{row.unconverged} steps did not converge")
-        elif not row.max_residual <= self._options["tolerance"] * (1 + 1e-9):
+        elif not row.max_residual <= tolerance * (1 + 1e-9):
             row.faults.append(f"a bar is off by {row.max_residual:.1e} in the end")
+        elif not row.max_limit <= LIMIT_TOLERANCE * (1 + 1e-9):
+            row.faults.append(f"a limit is off by {row.max_limit:.1e} Angstrom in the end")
+        elif not row.max_overlap <= OVERLAP_TOLERANCE * (1 + 1e-9):
+            row.faults.append(f"two joints overlap by {row.max_overlap:.1e} Angstrom in the end")
+
+
+def _sums(summary: pliant.RunSummary) -> tuple[float, int, int]:
+    seconds = summary.perturb_seconds + summary.resolve_seconds
+    return seconds, summary.projections, summary.steps
+
+
+def worst_limit(positions: np.ndarray, limits: Any) -> float:
+    """Largest distance in Angstrom by which a pair is outside its interval; 0 without limits."""
+    if len(limits) == 0:
+        return 0.0
+    rows = [tuple(row)[:4] for row in limits]
+    pairs = np.array([row[:2] for row in rows], dtype=np.int64)
+    least, most = np.array([row[2:] for row in rows]).T
+    apart = _bars.lengths(positions, pairs)
+    return float(np.max(np.maximum(np.maximum(least - apart, apart - most), 0.0)))
 
 
 def steps_of_pushes(
     sizes: Sequence[float] = SIZES,
     *,
     kinds: Sequence[str] = ("protein",),
+    files: Sequence[str | os.PathLike[str]] = (),
+    model: str = "bonds",
     techniques: Sequence[str] = TECHNIQUES,
     weighting: float = 0.5,
     tolerance: float = 1e-6,
     steps: int = STEPS,
     rounds: int = ROUNDS,
+    seconds: float = SECONDS,
+    memory: bool = False,
     seed: int = 0,
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> Steps:
-    """Runs every technique on every size in rounds that take turns."""
-    for kind in kinds:
-        if kind not in KINDS:
-            raise pliant.OptionError(f'no kind named "{kind}"; known: {", ".join(KINDS)}')
+    """Runs every technique on every size in rounds that take turns.
+
+    With `files` their molecules take the place of kinds and sizes; the ratio is to the smallest.
+    Raises OptionError for a kind that there is not, and what `read` and `build_model` raise.
+    """
+    for kind in () if files else kinds:
+        check_kind(kind, model)
     found = Steps(weighting, tolerance, steps)
     options = {"weighting": weighting, "tolerance": tolerance, "seed": seed}
-    jobs = [(kind, technique) for kind in kinds for technique in techniques]
-    warm_up = 1
-    for k, (kind, technique) in enumerate(jobs):
+    groups: list[list[tuple[str, int | None]]] = [
+        [(kind, round(size)) for size in sorted(sizes)] for kind in kinds
+    ]
+    if files:
+        groups = [[(os.fspath(path), None) for path in files]]
+    jobs = [(group, technique) for group in groups for technique in techniques]
+    for k, (group, technique) in enumerate(jobs):
         progress(k, len(jobs))
-        subjects = [Subject(kind, round(size), technique, options) for size in sorted(sizes)]
-        for _ in range(rounds + warm_up):
-            for subject in subjects:
-                subject.run(steps)
-        for subject in subjects:
-            subject.finish(warm_up)
-        found.rows += _with_ratios([subject.row for subject in subjects])
+        rows = _race(group, model, technique, options, (steps, seconds, rounds))
+        if memory:
+            for row, (source, size) in zip(rows, group, strict=True):
+                _weigh(row, source, size, options)
+        found.rows += _with_ratios(rows)
     return found
 
 
+def _race(
+    group: Sequence[tuple[str, int | None]],
+    model: str,
+    technique: str,
+    options: dict[str, Any],
+    lengths: tuple[int, float, int],
+) -> list[StepRow]:
+    steps, seconds, rounds = lengths
+    warm_up = 1
+    subjects = [Subject(make_scene(*one, model), technique, options) for one in group]
+    for subject in subjects:
+        subject.choose_steps(steps, seconds)
+    for _ in range(rounds + warm_up):
+        for subject in subjects:
+            subject.run()
+    for subject in subjects:
+        subject.finish(warm_up)
+    return [subject.row for subject in subjects]
+
+
+def _weigh(row: StepRow, source: str, size: int | None, options: dict[str, Any]) -> None:
+    asked = {"source": source, "size": size, "model": row.model, "technique": row.technique}
+    weights = bytes_per_joint({**asked, "run": options})
+    row.bytes_per_joint, row.bytes_to_make = weights["run"], weights["made"]
+
+
 def _with_ratios(rows: list[StepRow]) -> list[StepRow]:
-    least = rows[0]
+    least = min(rows, key=lambda row: row.joints)
     for row in rows:
         row.ratio = row.step_microseconds / least.step_microseconds
         row.ratio_least = row.quarter / least.three_quarters
@@ -147,20 +237,25 @@ def print_report(found: Steps) -> None:
     """The table for people."""
     print(
         f"a push of one joint, tolerance {found.tolerance:g}, weighting {found.weighting:g} where "
-        f"it means something; {found.steps} steps a round"
+        f"it means something; at most {found.steps} steps a round"
     )
-    columns = ["framework, technique", "joints", "us a step", "half of the rounds"]
+    columns = ["framework, model, technique", "joints", "us a step", "half of the rounds"]
     columns += ["bars a step", "ratio", "from to"]
-    table = console.Table("", columns)
-    table.rows = [_cells(row) for row in found.rows]
+    weighed = any(row.bytes_per_joint is not None for row in found.rows)
+    table = console.Table("", columns + ["bytes a joint"] * weighed)
+    table.rows = [_cells(row) + [_bytes(row)] * weighed for row in found.rows]
     table.print()
     for fault in found.faults:
         print(f"wrong: {fault}")
 
 
+def _bytes(row: StepRow) -> str:
+    return "" if row.bytes_per_joint is None else f"{row.bytes_per_joint:.0f}"
+
+
 def _cells(row: StepRow) -> list[str]:
     return [
-        f"{row.kind}, {row.technique}",
+        f"{row.kind}, {row.model}, {row.technique}",
         str(row.joints),
         f"{row.step_microseconds:.2f}",
         f"{row.quarter:.2f} to {row.three_quarters:.2f}",

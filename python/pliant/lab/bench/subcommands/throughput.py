@@ -12,19 +12,32 @@ SUMMARY = "conformers made whole per second, on one thread and on several"
 DESCRIPTION = """\
 Makes broken copies of a molecule, and makes them whole on one thread and on several,
 each with its own copies and plans. Times are wall times. It also checks that one thread
-and several give the same bits."""
+and several give the same bits.
+
+With --frames it makes frames of pliant sample instead, of one protein or of many, each with
+polar and with all hydrogens: milliseconds of a core, and how they grow with the number of
+atoms. Every frame is measured again; where one is broken the exit code is 1."""
 EPILOG = """\
-example:
+examples:
   pliant bench throughput protein.pdb --tolerance 1e-10
+  pliant bench throughput adk_open.pdb adk_closed.pdb --frames 200
 """
 
 
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
+    from pliant.lab.bench.frames import HYDROGENS, SAMPLER
     from pliant.lab.bench.throughput import CONFORMERS, REPEATS, TECHNIQUES, THREADS
 
     add = parser.add_argument
-    add("file", metavar="FILE", help="molecule file, as for pliant run")
+    text = "molecule file, as for pliant run; several with --frames"
+    add("files", metavar="FILE", nargs="+", help=text)
+    text = "make so many frames of pliant sample instead"
+    add("--frames", metavar="N", type=console.whole_number(2), help=text)
+    text = f"with --frames: {', '.join(HYDROGENS)} (default both)"
+    add("--hydrogens", metavar="NAME,...", type=console.words, default=HYDROGENS, help=text)
+    text = f"with --frames: see pliant.samplers() (default {SAMPLER})"
+    add("--sampler", metavar="NAME", default=SAMPLER, help=text)
     text = "what becomes a bar (default bonds)"
     add("--bars", choices=["bonds", "angles"], default="bonds", help=text)
     text = f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})"
@@ -47,11 +60,17 @@ def add_options(parser: console.Parser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
+    import pliant
+
+    if arguments.frames is not None:
+        return _run_frames(arguments)
+    if len(arguments.files) > 1:
+        raise pliant.OptionError("several files need --frames")
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.bench.throughput import print_report, throughput
 
     found = throughput(
-        arguments.file,
+        arguments.files[0],
         bars=arguments.bars,
         techniques=arguments.techniques,
         weighting=arguments.weighting,
@@ -66,3 +85,22 @@ def run(arguments: argparse.Namespace) -> int:
         write_csv(found.rows, arguments.csv)
     console.print_json(found.as_json()) if arguments.json else print_report(found)
     return console.EXIT_FAILED if found.wrong() else console.EXIT_OK
+
+
+def _run_frames(arguments: argparse.Namespace) -> int:
+    from pliant.lab.bench.frames import frame_costs, print_report
+    from pliant.lab.bench.rows import write_csv
+
+    with console.progress("rounds", arguments.quiet or arguments.json) as show:
+        found = frame_costs(
+            arguments.files,
+            hydrogens=arguments.hydrogens,
+            sampler=arguments.sampler,
+            frames=arguments.frames,
+            rounds=arguments.repeats,
+            progress=show,
+        )
+    if arguments.csv:
+        write_csv(found.rows, arguments.csv)
+    console.print_json(found.as_json()) if arguments.json else print_report(found)
+    return console.EXIT_FAILED if found.faults else console.EXIT_OK

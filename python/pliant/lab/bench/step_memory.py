@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""Memory of a scene of ``pliant bench step``: in a process of its own, less the interpreter's.
+
+Run as ``python -m pliant.lab.bench.step_memory`` with a JSON object of options; prints another.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from typing import Any
+
+import numpy as np
+
+import pliant
+from pliant.lab.bench.scaling_child import forget_peak, resident
+from pliant.lab.bench.step_scenes import make_scene
+
+STEPS = 10
+LIMIT_SECONDS = 600.0
+
+
+def measure_one(options: dict[str, Any]) -> dict[str, float | None]:
+    """Bytes per joint of framework, plan and positions while it runs; of making the framework."""
+    np.linalg.norm(np.ones((2, 3)), axis=1)  # what NumPy loads when first used is not ours
+    forget_peak()
+    before = resident("VmRSS")
+    scene = make_scene(options["source"], options["size"], options["model"])
+    made = resident("VmHWM")
+    forget_peak()
+    pliant.run(
+        scene.framework,
+        pliant.State(scene.positions),
+        steps=STEPS,
+        every=STEPS,
+        technique=options["technique"],
+        **options["run"],
+    )
+    peak, count = resident("VmHWM"), scene.framework.joint_count
+
+    def each(found: int | None) -> float | None:
+        return None if found is None or before is None else (found - before) / count
+
+    return {"run": each(peak), "made": each(made)}
+
+
+def bytes_per_joint(options: dict[str, Any]) -> dict[str, float | None]:
+    """The same, measured in a new process; None where it did not end well."""
+    command = [sys.executable, "-W", "ignore", "-m", __name__, json.dumps(options)]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT_SECONDS)
+    except subprocess.TimeoutExpired:
+        return {"run": None, "made": None}
+    if done.returncode != 0:
+        return {"run": None, "made": None}
+    found: dict[str, float | None] = json.loads(done.stdout)
+    return found
+
+
+if __name__ == "__main__":
+    print(json.dumps(measure_one(json.loads(sys.argv[1]))))

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""What a frame of `pliant sample` costs, and that broken frames are named."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from pliant.lab.bench import frames as costs
+from pliant.lab.bench.command import main
+
+import pliant
+
+PEPTIDE = "data/molecules/peptide_20.pdb"
+
+
+def test_frames_with_polar_and_all_hydrogens():
+    found = costs.frame_costs([PEPTIDE, "data/molecules/benzene.sdf"], frames=4, rounds=2)
+    polar, whole, *refused = found.rows
+    assert (polar.hydrogens, whole.hydrogens) == ("polar", "all")
+    assert polar.atoms < whole.atoms == 327
+    for row in (polar, whole):
+        assert 0 < row.quarter <= row.milliseconds <= row.three_quarters
+        assert row.milliseconds_before > 0 and row.frames == 4 and row.failed == 0
+        assert 0 <= row.max_residual <= 1e-9
+        assert row.max_limit <= 0.08 and row.max_overlap <= 0.08
+    assert [row.refused for row in refused] == [
+        "data/molecules/benzene.sdf: no residue has N, CA and C"
+    ] * 2
+    assert found.faults == [] and math.isnan(found.slopes["polar"])
+
+
+def test_the_slope_is_that_of_the_logarithms():
+    rows = [
+        costs.FrameRow("a", "all", atoms=n, milliseconds=2e-3 * n**1.5) for n in (100, 200, 900)
+    ]
+    other = costs.FrameRow("a", "polar", atoms=100, milliseconds=5.0)
+    assert costs.slope([*rows, other], "all") == pytest.approx(1.5)
+    assert math.isnan(costs.slope([*rows, other], "polar"))
+
+
+def test_broken_frames_are_named(monkeypatch):
+    class Broken:
+        """Frames whose last atom is 3 Angstrom away."""
+
+        redrawn = failed = 0
+
+        def __init__(self, model, frames, **_):
+            x = np.array(model.positions)
+            x[-1] += 3.0
+            self.positions = np.stack([x] * frames)
+
+    monkeypatch.setattr(pliant, "sample", Broken)
+    found = costs.frame_costs([PEPTIDE], hydrogens=("all",), frames=2, rounds=1)
+    assert found.faults and found.faults[0].startswith("peptide_20.pdb, all: a bar is off by ")
+
+
+def test_wrong_options_are_refused():
+    with pytest.raises(pliant.OptionError, match="hydrogens some: must be polar or all"):
+        costs.frame_costs([PEPTIDE], hydrogens=("some",))
+    with pytest.raises(pliant.OptionError, match="sampler none: must be one of"):
+        costs.frame_costs([PEPTIDE], sampler="none")
+
+
+def test_the_command(capsys):
+    words = ["throughput", PEPTIDE, "--frames", "3", "--repeats", "1", "--hydrogens", "polar"]
+    assert main([*words, "--json", "--quiet"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["sampler"] == "modes" and len(found["rows"]) == 1
+    assert main([*words, "--quiet"]) == 0
+    assert "ms a frame" in capsys.readouterr().out
+    assert main(["throughput", PEPTIDE, PEPTIDE]) == 2
+    assert "several files need --frames" in capsys.readouterr().err
