@@ -36,6 +36,7 @@ struct FrodaOptions {
   double leg = 2.0;             ///< Angstrom: largest distance between intermediate targets
   double bound = 1.5;           ///< Angstrom: largest displacement of a body in such a step
   int last_steps = 60;          ///< number of steps for contacts alone
+  double last_weight = 100.0;   ///< of contacts in these, against the inertia of a joint
   /// Torsion preferences pull in steps that consider contacts. Only for frames from one start: in a
   /// run, whose steps add up, they would resist continued pushes.
   bool has_torsion_preferences = false;
@@ -87,6 +88,7 @@ class FrodaFrame {
   };
 
   int conjugate_gradients() const { return options_.is_careful ? options_.conjugate_gradients : 0; }
+  void pull_to(double share, bool has_springs);
   void set_targets(double share);
   void set_targets_on_course(double share);
   double closing() const;
