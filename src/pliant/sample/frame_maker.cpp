@@ -26,6 +26,7 @@ FrodaOptions careful() {
   options.is_careful = true;
   options.conjugate_gradients = 3;
   options.leg = 2.5;
+  options.legs_a_look = 2;
   options.bound = 2.0;
   options.last_weight = 200.0;
   return options;
@@ -35,6 +36,7 @@ FrodaOptions patient() {
   FrodaOptions options = careful();
   options.conjugate_gradients = 6;
   options.leg = 0.7;
+  options.legs_a_look = 1;
   options.bound = 1.5;
   options.last_steps = 200;
   return options;

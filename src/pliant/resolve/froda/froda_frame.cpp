@@ -87,6 +87,7 @@ void FrodaFrame::begin(const FrodaPush& push, const FrodaOptions& options) {
     way = course->length;
     options_.leg = course->leg;
     options_.bound = course->bound;
+    options_.legs_a_look = 1;  // pieces turn past each other
   }
   const double wanted = std::ceil(way / (options_.leg * unit_));
   legs_ = static_cast<int>(std::clamp(wanted, 1.0, most_legs));
@@ -97,24 +98,27 @@ bool FrodaFrame::ask_for_careful_pull() {
   const int leg = ++pulls_;
   double weight = pull_weight;
   for (int k = legs_; k < leg; ++k) weight *= weight_growth;
-  find_rows(weight);
-  pull_to(leg < legs_ ? double(leg) / legs_ : 1.0, true);
+  const bool is_due = leg > 1 && (leg - 1) % options_.legs_a_look == 0;
+  ask_for_pull(leg < legs_ ? double(leg) / legs_ : 1.0, leg >= legs_ || is_due ? weight : 0.0);
   return true;
 }
 
 void FrodaFrame::ask_for_pull(double share, bool sees_contacts) {
+  ask_for_pull(share, sees_contacts ? pull_weight : 0.0);
+}
+
+/// With contacts of this weight; 0: blindly.
+void FrodaFrame::ask_for_pull(double share, double weight) {
+  const bool sees_contacts = weight > 0.0;
   if (sees_contacts) {
-    find_rows(pull_weight);
+    find_rows(weight);
   } else {
     is_looked_at_ = false;
     rows_.clear();
   }
-  pull_to(share, sees_contacts);
-}
-
-void FrodaFrame::pull_to(double share, bool has_springs) {
   set_targets(share);
-  request_ = {target_, rows_, springs(has_springs), options_.bound * unit_, conjugate_gradients()};
+  request_ = {target_, rows_, springs(sees_contacts), options_.bound * unit_,
+              conjugate_gradients()};
 }
 
 /// Targets are set for working bodies, to which contacts add some.
