@@ -14,8 +14,8 @@ constexpr double widest_closed = 1e-12;
 constexpr double largest_closing = 0.3;  // of a joint: more is no rounding off, but another place
 
 constexpr double pull_weight = 10.0;
-/// Careful pulls to the last target weigh contacts twice as much each time: the first ones reach
-/// the target, the last ones leave few contacts to steps for contacts alone.
+/// Careful pulls to the last target weigh contacts twice as much each time: the first one reaches
+/// the target blindly, the last ones leave few contacts to steps for contacts alone.
 constexpr double weight_growth = 2.0;
 constexpr double spring_weight = 60.0;  // Angstrom^2: of torsion preferences
 constexpr double most_legs = 1e4;       // however far the push
@@ -99,7 +99,7 @@ bool FrodaFrame::ask_for_careful_pull() {
   double weight = pull_weight;
   for (int k = legs_; k < leg; ++k) weight *= weight_growth;
   const bool is_due = leg > 1 && (leg - 1) % options_.legs_a_look == 0;
-  ask_for_pull(leg < legs_ ? double(leg) / legs_ : 1.0, leg >= legs_ || is_due ? weight : 0.0);
+  ask_for_pull(leg < legs_ ? double(leg) / legs_ : 1.0, leg > legs_ || is_due ? weight : 0.0);
   return true;
 }
 
