@@ -36,9 +36,9 @@ struct FrodaOptions {
   double leg = 2.0;             ///< Angstrom: largest distance between intermediate targets
   /// Careful pulls on the way consider contacts each time so many targets are passed.
   int legs_a_look = 1;
-  double bound = 1.5;           ///< Angstrom: largest displacement of a body in such a step
-  int last_steps = 60;          ///< number of steps for contacts alone
-  double last_weight = 100.0;   ///< of contacts in these, against the inertia of a joint
+  double bound = 1.5;          ///< Angstrom: largest displacement of a body in such a step
+  int last_steps = 60;         ///< number of steps for contacts alone
+  double last_weight = 100.0;  ///< of contacts in these, against the inertia of a joint
   /// Torsion preferences pull in steps that consider contacts. Only for frames from one start: in a
   /// run, whose steps add up, they would resist continued pushes.
   bool has_torsion_preferences = false;

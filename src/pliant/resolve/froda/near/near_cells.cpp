@@ -100,8 +100,8 @@ void NearCells::add_row(int a, int b) {
   const std::uint32_t row_x = x + static_cast<std::uint32_t>(a),
                       row_y = y + static_cast<std::uint32_t>(b);  // below 0 they wrap around
   if (row_x >= cells_[0] || row_y >= cells_[1]) return;
-  const double left = own_.widest - own_.squares[0][std::size_t(a + 1)] -
-                      own_.squares[1][std::size_t(b + 1)];
+  const double left =
+      own_.widest - own_.squares[0][std::size_t(a + 1)] - own_.squares[1][std::size_t(b + 1)];
   if (left < 0.0) return;
   const std::uint32_t low = z > 0 && own_.squares[2][0] <= left ? z - 1 : z;
   const std::uint32_t high = z + 1 < cells_[2] && own_.squares[2][2] <= left ? z + 1 : z;
