@@ -26,7 +26,7 @@ constexpr int most_closings = 12;
 constexpr double least_gain = 0.95;
 constexpr int patience = 6, long_patience = 15;
 /// After so many steps without gain torsion preferences let go: contacts win against them.
-constexpr int patience_with_springs = 3;
+constexpr int patience_with_springs = 2;
 constexpr double least_length = 1e-9;
 
 /// The interval that a step aims at.
