@@ -24,6 +24,11 @@ FrodaOptions blind() {
 FrodaOptions careful() {
   FrodaOptions options = blind();
   options.is_careful = true;
+  options.conjugate_gradients = 3;
+  options.leg = 2.5;
+  options.legs_a_look = 2;
+  options.bound = 2.0;
+  options.last_weight = 200.0;
   return options;
 }
 
@@ -31,6 +36,8 @@ FrodaOptions patient() {
   FrodaOptions options = careful();
   options.conjugate_gradients = 6;
   options.leg = 0.7;
+  options.legs_a_look = 1;
+  options.bound = 1.5;
   options.last_steps = 200;
   return options;
 }

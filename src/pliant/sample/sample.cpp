@@ -23,7 +23,7 @@ namespace {
 /// Frames that a thread makes before what was made is shown.
 constexpr std::size_t frames_a_thread = 4;
 /// With lanes a thread makes so many at once: more fill them better, but a user waits for them all.
-constexpr std::size_t first_in_lanes = 4, most_in_lanes = 32;
+constexpr std::size_t first_in_lanes = 4, most_in_lanes = 128;
 /// Seconds of a batch: below there may be more frames in one, above there are fewer.
 constexpr double short_wait = 0.25, long_wait = 1.0;
 constexpr double start_tolerance = 1e-6;

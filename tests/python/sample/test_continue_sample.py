@@ -14,7 +14,7 @@ PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 
 
 #: two steps of a walk
-TOO_FEW = pytest.warns(pliant.PliantWarning, match="frames reach an amplitude of 0.09 of the 0.40")
+TOO_FEW = pytest.warns(pliant.PliantWarning, match="frames reach an amplitude of 0.08 of the 0.40")
 
 
 @pytest.fixture(scope="module")

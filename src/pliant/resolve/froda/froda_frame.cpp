@@ -14,17 +14,19 @@ constexpr double widest_closed = 1e-12;
 constexpr double largest_closing = 0.3;  // of a joint: more is no rounding off, but another place
 
 constexpr double pull_weight = 10.0;
-constexpr double last_weight = 100.0;
+/// Careful pulls to the last target weigh contacts twice as much each time: the first one reaches
+/// the target blindly, the last ones leave few contacts to steps for contacts alone.
+constexpr double weight_growth = 2.0;
 constexpr double spring_weight = 60.0;  // Angstrom^2: of torsion preferences
 constexpr double most_legs = 1e4;       // however far the push
-constexpr int careful_pulls = 5;
+constexpr int careful_pulls = 4;
 constexpr int most_closings = 12;
 /// A step gains if it takes more than a twentieth off. Without gain for so many steps it is over;
 /// where something is still too near, later.
 constexpr double least_gain = 0.95;
 constexpr int patience = 6, long_patience = 15;
 /// After so many steps without gain torsion preferences let go: contacts win against them.
-constexpr int patience_with_springs = 3;
+constexpr int patience_with_springs = 2;
 constexpr double least_length = 1e-9;
 
 /// The interval that a step aims at.
@@ -85,6 +87,7 @@ void FrodaFrame::begin(const FrodaPush& push, const FrodaOptions& options) {
     way = course->length;
     options_.leg = course->leg;
     options_.bound = course->bound;
+    options_.legs_a_look = 1;  // pieces turn past each other
   }
   const double wanted = std::ceil(way / (options_.leg * unit_));
   legs_ = static_cast<int>(std::clamp(wanted, 1.0, most_legs));
@@ -93,13 +96,22 @@ void FrodaFrame::begin(const FrodaPush& push, const FrodaOptions& options) {
 bool FrodaFrame::ask_for_careful_pull() {
   if (pulls_ >= legs_ - 1 + careful_pulls) return false;
   const int leg = ++pulls_;
-  ask_for_pull(leg < legs_ ? double(leg) / legs_ : 1.0, true);
+  double weight = pull_weight;
+  for (int k = legs_; k < leg; ++k) weight *= weight_growth;
+  const bool is_due = leg > 1 && (leg - 1) % options_.legs_a_look == 0;
+  ask_for_pull(leg < legs_ ? double(leg) / legs_ : 1.0, leg > legs_ || is_due ? weight : 0.0);
   return true;
 }
 
 void FrodaFrame::ask_for_pull(double share, bool sees_contacts) {
+  ask_for_pull(share, sees_contacts ? pull_weight : 0.0);
+}
+
+/// With contacts of this weight; 0: blindly.
+void FrodaFrame::ask_for_pull(double share, double weight) {
+  const bool sees_contacts = weight > 0.0;
   if (sees_contacts) {
-    find_rows(pull_weight);
+    find_rows(weight);
   } else {
     is_looked_at_ = false;
     rows_.clear();
@@ -135,7 +147,7 @@ std::span<const TurnSpring> FrodaFrame::springs(bool are_wanted) {
 }
 
 bool FrodaFrame::ask_for_contacts() {
-  const Violation worst = find_rows(last_weight);
+  const Violation worst = find_rows(options_.last_weight);
   const double here = std::max(worst.limit, worst.overlap);
   if (here <= options_.goal || pushes_ >= options_.last_steps) return false;
   ++pushes_;
@@ -170,7 +182,7 @@ bool FrodaFrame::has_broken_contacts() {
 FrodaResult FrodaFrame::finish(std::span<Vec3> out) {
   FrodaResult result;
   result.max_closing = closings_ > 0 ? closing() : 0.0;
-  const Violation worst = find_rows(last_weight);
+  const Violation worst = find_rows(options_.last_weight);
   result.max_limit = worst.limit;
   result.max_overlap = worst.overlap;
   result.is_whole = worst.limit <= options_.limit && worst.overlap <= options_.overlap &&

@@ -34,8 +34,11 @@ struct FrodaOptions {
   bool is_careful = false;
   int conjugate_gradients = 2;  ///< iterations of careful steps
   double leg = 2.0;             ///< Angstrom: largest distance between intermediate targets
-  double bound = 1.5;           ///< Angstrom: largest displacement of a body in such a step
-  int last_steps = 60;          ///< number of steps for contacts alone
+  /// Careful pulls on the way consider contacts each time so many targets are passed.
+  int legs_a_look = 1;
+  double bound = 1.5;          ///< Angstrom: largest displacement of a body in such a step
+  int last_steps = 60;         ///< number of steps for contacts alone
+  double last_weight = 100.0;  ///< of contacts in these, against the inertia of a joint
   /// Torsion preferences pull in steps that consider contacts. Only for frames from one start: in a
   /// run, whose steps add up, they would resist continued pushes.
   bool has_torsion_preferences = false;
@@ -87,6 +90,7 @@ class FrodaFrame {
   };
 
   int conjugate_gradients() const { return options_.is_careful ? options_.conjugate_gradients : 0; }
+  void ask_for_pull(double share, double weight);
   void set_targets(double share);
   void set_targets_on_course(double share);
   double closing() const;

@@ -133,17 +133,18 @@ void LaneStep::add_rows(std::size_t lane, const StepRequest& request, const Vec3
 void LaneStep::refine() {
   const LaneBodyKernels& kernels = *kernels_.bodies;
   const std::size_t twists = 6 * bodies_.size(), turns = turns_.size();
-  const LaneMoves moves = moves_of(twists_, angles_);
-  direction_ = twists_;
-  direction_angles_ = angles_;
-  std::fill(sum_.begin(), sum_.end(), LaneTwist{});
-  std::fill(sum_angles_.begin(), sum_angles_.end(), LaneValue{});
-  for (std::size_t t = 0; t < turns; ++t) left_of_turns_[t] = springs_[t].force;
   if (refined_ != all_lanes) {
     first_ = twists_;
     first_angles_ = angles_;
   }
-  LaneValue before = kernels.product(forest_, moves_of(left_, left_of_turns_), moves);
+  direction_.swap(twists_);
+  direction_angles_.swap(angles_);
+  const LaneMoves moves = moves_of(twists_, angles_);
+  std::fill(sum_.begin(), sum_.end(), LaneTwist{});
+  std::fill(sum_angles_.begin(), sum_angles_.end(), LaneValue{});
+  for (std::size_t t = 0; t < turns; ++t) left_of_turns_[t] = springs_[t].force;
+  LaneValue before = kernels.product(forest_, moves_of(left_, left_of_turns_),
+                                     moves_of(direction_, direction_angles_));
   for (int turn = 0;; ++turn) {
     const LaneValue step = each(before, apply_matrix(), over);
     kernels.add_scaled(step, values(direction_), twists, values(sum_));

@@ -224,6 +224,65 @@ TEST(NearPairs, AreThoseOfALookAtAllPairsWhileManyMove) {
   }
 }
 
+/// Places that are back where the list was first made have that list again, which is not made anew.
+TEST(NearPairs, KeepTheFirstList) {
+  const Molecule bare = molecule("peptide_20.pdb");
+  const Molecule m = molecule("peptide_20.pdb", spheres(bare.framework.joint_count(), 3.1));
+  const auto plan = BodyPlan::make(m.framework);
+  NearPairs list(m.framework, *plan);
+  const auto places = [&](std::span<const Vec3> of) {
+    std::vector<Vec3> x;
+    for (Joint joint : plan->joint_at()) x.push_back(of[joint]);
+    return x;
+  };
+  list.update(places(m.start));
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    const auto far = places(test::shake(m.framework, m.start, 0.8, seed));
+    list.update(far);
+    expect_all_found(list, m.framework, *plan, far);
+    const auto made = list.lists_made();
+    const auto back = places(test::shake(m.framework, m.start, 0.02, seed));
+    list.update(back);
+    EXPECT_EQ(list.lists_made(), made);
+    expect_all_found(list, m.framework, *plan, back);
+    auto some = back;  // then but some pairs are listed anew
+    for (std::size_t k = 0; k < some.size(); k += 5) some[k] += Vec3{0.4, 0.0, 0.0};
+    list.update(some);
+    EXPECT_GT(list.lists_made(), made);
+    expect_all_found(list, m.framework, *plan, some);
+  }
+}
+
+/// Careful pulls on the way look at contacts as often as asked; those to the last target are blind
+/// once, and then weigh contacts more each time.
+TEST(FrodaFrame, CarefulPullsWeighContactsMoreEachTime) {
+  const Molecule bare = molecule("peptide_20.pdb");
+  const Molecule m = molecule("peptide_20.pdb", spheres(bare.framework.joint_count(), 3.0));
+  const auto plan = BodyPlan::make(m.framework);
+  std::vector<Vec3> target = m.start;
+  for (std::size_t k = 0; k < target.size() / 2; ++k) target[k] += Vec3{9.0, 0.0, 0.0};
+  const auto weights = [&](int legs_a_look) {
+    FrodaOptions options;
+    options.is_careful = true;
+    options.legs_a_look = legs_a_look;
+    FrodaFrame frame(m.framework, *plan);
+    frame.begin({m.start, target}, options);
+    EXPECT_EQ(frame.legs(), 5);
+    ArticulatedStep step(*plan, frame.working());
+    std::vector<double> found;
+    while (frame.ask_for_careful_pull()) {
+      const auto rows = frame.request().rows;
+      found.push_back(rows.empty() ? 0.0 : rows.front().weight);
+      step.step(frame.positions(), frame.request());
+      frame.note_step();
+    }
+    return found;
+  };
+  EXPECT_EQ(weights(1), (std::vector<double>{0, 10, 10, 10, 10, 20, 40, 80}));
+  EXPECT_EQ(weights(2), (std::vector<double>{0, 0, 10, 0, 10, 20, 40, 80}));
+  EXPECT_EQ(weights(9), (std::vector<double>{0, 0, 0, 0, 0, 20, 40, 80}));
+}
+
 /// A small push needs no pull with contacts, which would hold it back, and few without.
 TEST(FrodaSolver, ASmallPushTakesFewSteps) {
   const Molecule m = copies_of(molecule("peptide_20.pdb"), 1);

@@ -80,33 +80,49 @@ void NearCells::move(Slot place, Vec3 at) {
   put(to, place, at);
 }
 
-/// The places in cells low..high of a row, which lie side by side.
-void NearCells::add_run(std::uint32_t row, std::uint32_t low, std::uint32_t high) {
+/// Begins the runs of a place: how far it is from the cells beside its own. It may lie outside.
+void NearCells::start_runs(std::uint32_t k, Cell cell) {
+  const double side = 1.0 / per_side_;
+  const std::array<double, 3> at{x_[k] - low_.x, y_[k] - low_.y, z_[k] - low_.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double into = at[axis] - side * cell[axis];
+    const double before = std::max(into, 0.0), after = std::max(side - into, 0.0);
+    own_.squares[axis] = {before * before, 0.0, after * after};
+  }
+  own_.cell = cell;
+  own_.widest = rules_.widest(sorted_at_[k].kind);
+  run_count_ = 0;
+}
+
+/// The places within reach in the row of cells (a, b) from that of the place: side by side.
+void NearCells::add_row(int a, int b) {
+  const auto [x, y, z] = own_.cell;
+  const std::uint32_t row_x = x + static_cast<std::uint32_t>(a),
+                      row_y = y + static_cast<std::uint32_t>(b);  // below 0 they wrap around
+  if (row_x >= cells_[0] || row_y >= cells_[1]) return;
+  const double left =
+      own_.widest - own_.squares[0][std::size_t(a + 1)] - own_.squares[1][std::size_t(b + 1)];
+  if (left < 0.0) return;
+  const std::uint32_t low = z > 0 && own_.squares[2][0] <= left ? z - 1 : z;
+  const std::uint32_t high = z + 1 < cells_[2] && own_.squares[2][2] <= left ? z + 1 : z;
+  const std::uint32_t row = (row_x * cells_[1] + row_y) * cells_[2];
   runs_[run_count_++] = {first_in_cell_[row + low], first_in_cell_[row + high + 1]};
 }
 
-/// What is in a cell and half of its neighbours: the others are visited with it.
-void NearCells::add_runs_after(Cell cell) {
-  const auto [a, b, c] = cell;
-  const std::uint32_t row = (a * cells_[1] + b) * cells_[2];
-  const std::uint32_t low = c > 0 ? c - 1 : 0, high = std::min(c + 1, cells_[2] - 1);
-  run_count_ = 0;
-  add_run(row, c, high);
-  const bool has_next = a + 1 < cells_[0];
-  if (b + 1 < cells_[1]) add_run(row + cells_[2], low, high);
-  if (has_next && b > 0) add_run(row + (cells_[1] - 1) * cells_[2], low, high);
-  if (has_next) add_run(row + cells_[1] * cells_[2], low, high);
-  if (has_next && b + 1 < cells_[1]) add_run(row + (cells_[1] + 1) * cells_[2], low, high);
+/// What is in the cell of a place and half of its neighbours: the others are visited with it.
+void NearCells::add_runs_after(std::uint32_t k, Cell cell) {
+  start_runs(k, cell);
+  add_row(0, 0);
+  runs_[0].from = k + 1;
+  add_row(0, 1);
+  for (int b = -1; b <= 1; ++b) add_row(1, b);
 }
 
-/// What is in a cell and all around it, and what was moved.
-void NearCells::add_runs_around(Cell cell) {
-  const auto [a, b, c] = cell;
-  const std::uint32_t low = c > 0 ? c - 1 : 0, high = std::min(c + 1, cells_[2] - 1);
-  run_count_ = 0;
-  for (std::uint32_t x = a > 0 ? a - 1 : 0; x <= std::min(a + 1, cells_[0] - 1); ++x)
-    for (std::uint32_t y = b > 0 ? b - 1 : 0; y <= std::min(b + 1, cells_[1] - 1); ++y)
-      add_run((x * cells_[1] + y) * cells_[2], low, high);
+/// What is in the cell of a place and all around it, and what was moved.
+void NearCells::add_runs_around(std::uint32_t k, Cell cell) {
+  start_runs(k, cell);
+  for (int a = -1; a <= 1; ++a)
+    for (int b = -1; b <= 1; ++b) add_row(a, b);
   if (moved() > 0)
     runs_[run_count_++] = {static_cast<std::uint32_t>(first_moved_),
                            static_cast<std::uint32_t>(sorted_at_.size())};

@@ -51,9 +51,10 @@ class NearCells {
   Cell cell_of(Vec3 at) const;
   std::uint32_t number_of(Cell cell) const;
   void put(std::uint32_t to, Slot place, Vec3 at);
-  void add_run(std::uint32_t row, std::uint32_t low, std::uint32_t high);
-  void add_runs_after(Cell cell);
-  void add_runs_around(Cell cell);
+  void start_runs(std::uint32_t k, Cell cell);
+  void add_row(int a, int b);
+  void add_runs_after(std::uint32_t k, Cell cell);
+  void add_runs_around(std::uint32_t k, Cell cell);
   std::span<const std::uint32_t> find_free(std::uint32_t k);
   template <class Found>
   void tell(std::uint32_t k, const Found& found);
@@ -71,6 +72,13 @@ class NearCells {
   std::vector<float> x_, y_, z_;
   std::vector<std::uint32_t> index_of_;  ///< (places) index into these
   std::size_t first_moved_ = 0;
+  /// Where the present place lies in its cell: what it is from the next ones (Angstrom).
+  struct {
+    Cell cell;
+    std::array<std::array<double, 3>, 3> squares;  ///< of each axis, to the cells before, its own
+                                                   ///< and after
+    double widest;                                 ///< square of how far it may reach
+  } own_{};
   // Candidates for one place as runs, and which of them are near.
   std::array<NearRun, 10> runs_{};
   std::size_t run_count_ = 0;
@@ -107,9 +115,8 @@ void NearCells::visit_all(const Found& found) {
         const std::uint32_t number = number_of(cell);
         const std::uint32_t first = first_in_cell_[number], last = first_in_cell_[number + 1];
         if (first == last) continue;
-        add_runs_after(cell);
         for (std::uint32_t k = first; k < last; ++k) {
-          runs_[0].from = k + 1;
+          add_runs_after(k, cell);
           tell(k, found);
         }
       }
@@ -118,7 +125,7 @@ void NearCells::visit_all(const Found& found) {
 template <class Found>
 void NearCells::visit(Slot place, const Found& found) {
   const std::uint32_t k = index_of_[place];
-  add_runs_around(cell_of({x_[k], y_[k], z_[k]}));
+  add_runs_around(k, cell_of({x_[k], y_[k], z_[k]}));
   tell(k, found);
 }
 

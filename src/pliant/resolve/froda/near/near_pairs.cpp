@@ -22,15 +22,34 @@ NearPairs::NearPairs(const Framework& framework, const BodyPlan& plan, double sk
 
 void NearPairs::update(std::span<const Vec3> x) {
   if (!(rules_.largest() > 0.0)) return;
-  const bool is_first = listed_at_.empty();
-  if (is_first) listed_at_.assign(x.begin(), x.end());
-  if (furthest_from_listed(x) <= 0.5 * skin_ && !is_first) return;
+  if (listed_at_.empty()) return make_first_list(x);
+  if (furthest_from_listed(x) <= 0.5 * skin_ || is_back(x)) return;
   choose_renewed();
   ++lists_made_;
   unsorted_.clear();
-  if (is_first || double(renewed_.size()) > most_renewed * double(rules_.listed().size()))
-    return make_list(x);
+  if (double(renewed_.size()) > most_renewed * double(rules_.listed().size())) return make_list(x);
   renew_list(x);
+}
+
+void NearPairs::make_first_list(std::span<const Vec3> x) {
+  listed_at_.assign(x.begin(), x.end());
+  ++lists_made_;
+  make_list(x);
+  first_at_ = listed_at_;
+  first_pairs_ = pairs_;
+}
+
+/// Takes the first list again where all places are back.
+bool NearPairs::is_back(std::span<const Vec3> x) {
+  const double most = 0.25 * skin_ * skin_;
+  const auto listed = rules_.listed();
+  if (!std::all_of(listed.begin(), listed.end(),
+                   [&](Slot k) { return norm_squared(x[k] - first_at_[k]) <= most; }))
+    return false;
+  listed_at_ = first_at_;
+  pairs_ = first_pairs_;
+  are_cells_of_list_ = false;
+  return true;
 }
 
 /// Notes how far each place has gone since its pairs were listed.
@@ -59,6 +78,7 @@ void NearPairs::choose_renewed() {
 void NearPairs::make_list(std::span<const Vec3> x) {
   for (Slot place : rules_.listed()) listed_at_[place] = x[place];
   cells_.sort(listed_at_);
+  are_cells_of_list_ = true;
   cells_.visit_all([&](Slot one, Slot other) { take(one, other); });
   sort_pairs();
   pairs_.swap(unsorted_);
@@ -67,8 +87,9 @@ void NearPairs::make_list(std::span<const Vec3> x) {
 /// Lists the pairs of renewed places, and keeps those of the others.
 void NearPairs::renew_list(std::span<const Vec3> x) {
   for (Slot place : renewed_) listed_at_[place] = x[place];
-  if (cells_.moved() + renewed_.size() > NearCells::most_moved) {
+  if (!are_cells_of_list_ || cells_.moved() + renewed_.size() > NearCells::most_moved) {
     cells_.sort(listed_at_);
+    are_cells_of_list_ = true;
   } else {
     for (Slot place : renewed_) cells_.move(place, listed_at_[place]);
   }

@@ -20,7 +20,7 @@ struct NearPair {
 
 /// The pairs that turn out too near depend neither on the skin nor on when the list was made. Each
 /// place has its pairs listed at a position of its own: if few places have moved far, only the
-/// pairs of these are listed anew.
+/// pairs of these are listed anew. The first list is kept, for frames that begin where others did.
 class NearPairs {
  public:
   /// Both must outlive it; the framework has sterics. `skin` (Angstrom): a place is listed anew
@@ -34,6 +34,8 @@ class NearPairs {
 
  private:
   double furthest_from_listed(std::span<const Vec3> x);
+  void make_first_list(std::span<const Vec3> x);
+  bool is_back(std::span<const Vec3> x);
   void choose_renewed();
   void make_list(std::span<const Vec3> x);
   void renew_list(std::span<const Vec3> x);
@@ -50,6 +52,9 @@ class NearPairs {
   std::vector<std::uint8_t> is_renewed_;  ///< (places)
   std::vector<Slot> renewed_;
   std::vector<NearPair> pairs_, unsorted_, sorted_, kept_;
+  std::vector<Vec3> first_at_;  ///< (places) listed_at_ of the first list
+  std::vector<NearPair> first_pairs_;
+  bool are_cells_of_list_ = false;  ///< cells_ has places where they were listed
   std::vector<std::uint32_t> first_of_;
 };
 
