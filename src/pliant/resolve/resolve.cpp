@@ -116,8 +116,12 @@ struct Resolver::MethodPlan {
   ResidualSummary measure_near(std::span<const Vec3> positions, const Disturbed& disturbed) const {
     ResidualSummary found;
     found.rms_relative = -1.0;
+    // Of two that moved, the first measures the bar between them.
     const auto measure_at = [&](Joint joint) {
-      near.measure_at(positions, joint, limits_off, found);
+      const bool is_noted = moved.holds(joint);
+      near.measure_at(positions, joint, limits_off, found, [&](Joint other) {
+        return other < joint && is_noted && moved.holds(other);
+      });
     };
     measure_at(disturbed.root);
     for (Joint joint : disturbed.joints)

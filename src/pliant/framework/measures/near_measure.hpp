@@ -26,10 +26,12 @@ class NearMeasure {
   /// Says that these have moved.
   void look(std::span<const Vec3> positions, std::span<const Joint> joints);
 
-  /// Adds bars, limits and near joints of `joint` to `found`; its rms_relative stays as it is.
+  /// Adds bars, limits and near joints of `joint` to `found`, without the bars to joints of which
+  /// `is_done(other)` holds; its rms_relative stays as it is.
+  template <class IsDone>
   void measure_at(std::span<const Vec3> positions, Joint joint, LimitsOff off,
-                  ResidualSummary& found) const {
-    measure_bars(positions, joint, found);
+                  ResidualSummary& found, const IsDone& is_done) const {
+    measure_bars(positions, joint, found, is_done);
     if (!framework_.has_bars_only()) measure_contacts(positions, joint, off, found);
   }
 
@@ -37,8 +39,11 @@ class NearMeasure {
   JointNeighbours* neighbours() { return neighbours_.get(); }
 
  private:
-  void measure_bars(std::span<const Vec3> positions, Joint joint, ResidualSummary& found) const {
+  template <class IsDone>
+  void measure_bars(std::span<const Vec3> positions, Joint joint, ResidualSummary& found,
+                    const IsDone& is_done) const {
     for (const Incidence& at : framework_.neighbours(joint)) {
+      if (is_done(at.joint)) continue;
       const double rest = framework_.rest_lengths()[at.bar];
       const double error = std::abs(residual(positions[joint], positions[at.joint], rest));
       if (!(error <= tolerance_.of(rest))) found.within = false;

@@ -16,7 +16,10 @@ namespace {
 constexpr double longest_leg = 1.0;    // largest distance between targets
 constexpr double farthest_of_step = 1.5;  // largest displacement of a body in a step
 constexpr double widest_left = 1e-13;
+constexpr double small_push = 0.1;
 
+/// Rounding adds up to some 1e-16 Angstrom a step.
+constexpr std::uint64_t steps_a_restore = 8;
 constexpr double most_local_legs = 1e3;
 /// Pulls end when one moves no body further than this share of the push.
 constexpr double settled_of_push = 0.05;
@@ -71,7 +74,8 @@ void LocalSolver::begin(const LocalPush& push, std::size_t most_bodies) {
     push_[k] = push.target[joint_at[k]] - push.start[joint_at[k]];
   }
   x_ = start_;
-  shapes_.restore(planner_.units(), joint_at, start_, x_);
+  if (push.step % steps_a_restore == 0)
+    shapes_.restore(planner_.units(), joint_at, start_, x_);
   target_.resize(x_.size());
   pulls_.clear();
   double square = 0.0;
@@ -99,10 +103,12 @@ void LocalSolver::pull() {
   }
 }
 
-/// Returns how far the first step moved a body (Angstrom).
+/// Returns how far the first step moved a body (Angstrom). One step goes far enough with a small
+/// push: what a second would add is of second order.
 double LocalSolver::pull_blindly() {
   double first = 0.0;
-  for (int k = 1; k < legs_ + last_pulls; ++k) {
+  const int pulls = way_ <= small_push * options_.unit ? 1 : legs_ + last_pulls - 1;
+  for (int k = 1; k <= pulls; ++k) {
     const double share = std::min(1.0, double(k) / legs_);
     set_targets(share);
     const double moved = step({target_, {}, {}, farthest_of_step * options_.unit, 0, pulls_});

@@ -27,6 +27,9 @@ constexpr double least_followed = 0.05 / 12.0;
 constexpr std::size_t most_joints_to_try = 5000;
 constexpr std::uint64_t one_in = 4;
 
+/// As quick as a whole as in regions, or quicker.
+constexpr std::size_t most_joints_as_a_whole = 200;
+
 using MakeMethod = std::unique_ptr<Method> (*)(const Framework&, const Technique&,
                                                const ResolveOptions&);
 
@@ -41,7 +44,8 @@ class LocalSteps final : public Method {
         make_whole_(make_whole) {}
 
   bool looks_near() const override {
-    return !framework_.has_pinned_joints() && !framework_.is_planar();
+    return framework_.joint_count() > most_joints_as_a_whole && !framework_.has_pinned_joints() &&
+           !framework_.is_planar();
   }
 
   void prepare_near() override {
@@ -84,7 +88,8 @@ class LocalSteps final : public Method {
 
   Outcome try_region(const ResolveCall& call, std::size_t size, ResolveSummary& summary) {
     const LocalResult result = solver_->resolve(
-        {call.reference, call.positions, call.disturbed.joints, call.limits_off, call.neighbours},
+        {call.reference, call.positions, call.disturbed.joints, call.key.step, call.limits_off,
+         call.neighbours},
         size);
     ++summary.sweeps;
     summary.projections += result.visits;

@@ -42,6 +42,8 @@ class MovedJoints {
   }
 
   bool holds_all() const { return holds_all_; }
+  /// Whether a joint was noted.
+  bool holds(Joint joint) const { return is_in_[joint] != 0; }
   /// The joints noted one by one.
   std::span<const Joint> joints() const { return joints_; }
 

@@ -40,6 +40,8 @@ std::vector<Vec3> made_places(RandomSequence& draws) {
   return places;
 }
 
+const auto all_anew = [](Joint) { return false; };
+
 using Ends = std::pair<Joint, Joint>;
 
 std::set<Ends> overlapping(const Framework& framework, std::span<const Vec3> places) {
@@ -118,7 +120,7 @@ TEST(NearMeasure, AtAllJointsIsTheMeasureOfAll) {
     }
     ASSERT_TRUE(near.begin(places, moved, round > 0));
     ResidualSummary found;
-    for (Joint joint = 0; joint < joints; ++joint) near.measure_at(places, joint, {}, found);
+    for (Joint joint = 0; joint < joints; ++joint) near.measure_at(places, joint, {}, found, all_anew);
     const ResidualSummary all = measure(framework, places);
     EXPECT_EQ(found.within, all.within);
     EXPECT_DOUBLE_EQ(found.max_relative, all.max_relative);
@@ -140,8 +142,8 @@ TEST(NearMeasure, LimitsThatAreOffDoNotCount) {
   ASSERT_TRUE(near.begin(places, {}, false));
   const std::vector<std::uint8_t> off(framework.limits().size(), 1);
   ResidualSummary on_found, off_found;
-  near.measure_at(places, 20, {}, on_found);
-  near.measure_at(places, 20, off, off_found);
+  near.measure_at(places, 20, {}, on_found, all_anew);
+  near.measure_at(places, 20, off, off_found, all_anew);
   EXPECT_GT(on_found.max_limit, 0.1);
   EXPECT_EQ(off_found.max_limit, 0.0);
 }
