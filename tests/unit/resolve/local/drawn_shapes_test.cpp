@@ -10,6 +10,12 @@
 
 namespace pliant::drawn_shapes_test {
 
+Framework drawn_framework(const Sketch& sketch) {
+  FrameworkParts parts = test::parts_of(framework_of(sketch));
+  parts.drawn = sketch.positions;
+  return Framework(std::move(parts));
+}
+
 struct Region {
   Framework framework;
   RegionPlanner planner;
@@ -17,7 +23,7 @@ struct Region {
   std::vector<Vec3> x;
 
   explicit Region(const Sketch& sketch)
-      : framework(framework_of(sketch)),
+      : framework(drawn_framework(sketch)),
         planner(framework),
         plan(planner.plan(std::vector<Joint>{15}, 60)) {
     for (Joint joint : plan.joint_at()) x.push_back(sketch.positions[joint]);
@@ -62,7 +68,7 @@ TEST(DrawnShapes, ChangeWhatIsAsDrawnByRoundingAlone) {
 
 TEST(DrawnShapes, LeaveAllAsItIsWhereAUnitHasAnotherShape) {
   const Region region(sketch_of_chain());
-  std::vector<Vec3> other = region.x;
+  std::vector<Vec3> other = region.restored(region.x);
   other[region.planner.units().back().first] += Vec3{0, 0, 0.3};
   EXPECT_TRUE(test::same_bits(region.restored(other), other));
 }
