@@ -30,8 +30,7 @@ Molecule molecule(const std::string& file, bool has_contacts) {
     auto sterics = std::make_shared<Sterics>();
     sterics->kind_count = 2;
     sterics->least = {2.6, 1.8, 1.8, 1.6};
-    for (auto element : structure.atoms.elements)
-      sterics->kinds.push_back(element == 1 ? 1 : 0);
+    for (auto element : structure.atoms.elements) sterics->kinds.push_back(element == 1 ? 1 : 0);
     options.sterics = sterics;
     const Framework bare = build_framework(structure, options);
     sterics->own = own_distances(bare, structure.positions);
@@ -80,8 +79,7 @@ TEST(LocalLaw, AllIsWholeAndWhatIsFarStays) {
       const ResolveSummary summary = resolver.resolve_near(x, root, std::int64_t(step), m.start);
       EXPECT_TRUE(summary.converged());
       const ResidualSummary all = measure(m.framework, x, {1e-10});
-      EXPECT_TRUE(all.within) << all.max_relative << " " << all.max_limit << " "
-                              << all.max_overlap;
+      EXPECT_TRUE(all.within) << all.max_relative << " " << all.max_limit << " " << all.max_overlap;
       EXPECT_LE(test::largest_difference(x, pushed), 4.0 * distance(pushed[root], m.start[root]));
       const auto moved = resolver.moved();
       if (!moved) continue;

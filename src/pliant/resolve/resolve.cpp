@@ -86,8 +86,10 @@ struct Resolver::MethodPlan {
 
   /// Measures what came out. Here alone positions are put back, where a number was not finite.
   void finish(std::span<Vec3> positions, const Disturbed& disturbed, ResolveSummary& summary) {
-    if (!moved.holds_all()) near.look(positions, moved.joints());
-    else measure_by_kept();  // a near call may end as one of all
+    if (!moved.holds_all())
+      near.look(positions, moved.joints());
+    else
+      measure_by_kept();  // a near call may end as one of all
     ResidualSummary found = look(positions, disturbed);
     summary.worst_bar = found.worst_bar;
     if (!found.finite || summary.stop == Stop::not_finite) {
@@ -119,9 +121,8 @@ struct Resolver::MethodPlan {
     // Of two that moved, the first measures the bar between them.
     const auto measure_at = [&](Joint joint) {
       const bool is_noted = moved.holds(joint);
-      near.measure_at(positions, joint, limits_off, found, [&](Joint other) {
-        return other < joint && is_noted && moved.holds(other);
-      });
+      near.measure_at(positions, joint, limits_off, found,
+                      [&](Joint other) { return other < joint && is_noted && moved.holds(other); });
     };
     measure_at(disturbed.root);
     for (Joint joint : disturbed.joints)

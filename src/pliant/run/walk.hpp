@@ -58,11 +58,11 @@ class Walk {
   Log log_;
   PushChain pushers_;
   RunSummary summary_;
-  ResolveSummary last_;           ///< of the last step, or of the start
+  ResolveSummary last_;                ///< of the last step, or of the start
   std::unique_ptr<KeptMeasure> kept_;  ///< of frames with limits; null: not needed yet
-  std::optional<bool> is_whole_;  ///< all bars, before the push; none: not checked
-  bool continues_ = false;        ///< nobody but the last resolve has moved joints since
-  bool is_pushed_ = false;        ///< a step has begun and not ended
+  std::optional<bool> is_whole_;       ///< all bars, before the push; none: not checked
+  bool continues_ = false;             ///< nobody but the last resolve has moved joints since
+  bool is_pushed_ = false;             ///< a step has begun and not ended
   bool is_stopped_ = false;
 };
 

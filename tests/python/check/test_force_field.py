@@ -142,7 +142,7 @@ def test_the_force_field_is_that_of_openmm_alone(peptide, start, sampled, monkey
     ours = energies_of(worker.make_system(arrays), [start, *sampled.positions])
     theirs = energies_of(system, [start, *sampled.positions])
     assert ours == pytest.approx(theirs, abs=0.05)
-    assert np.abs(np.diff(theirs)).min() > 1.0
+    assert np.abs(np.diff(theirs)).min() > 0.1  # more than the two may
 
 
 def test_energies_are_of_the_frames_of_the_file(minimised, peptide, start, sampled):

@@ -227,10 +227,15 @@ def _weigh(row: StepRow, source: str, size: int | None, options: dict[str, Any])
 def _with_ratios(rows: list[StepRow]) -> list[StepRow]:
     least = min(rows, key=lambda row: row.joints)
     for row in rows:
-        row.ratio = row.step_microseconds / least.step_microseconds
-        row.ratio_least = row.quarter / least.three_quarters
-        row.ratio_most = row.three_quarters / least.quarter
+        row.ratio = _ratio(row.step_microseconds, least.step_microseconds)
+        row.ratio_least = _ratio(row.quarter, least.three_quarters)
+        row.ratio_most = _ratio(row.three_quarters, least.quarter)
     return rows
+
+
+def _ratio(one: float, other: float) -> float:
+    """On a busy machine a difference of two times may be nothing: then there is no ratio."""
+    return one / other if other > 0.0 else math.nan
 
 
 def print_report(found: Steps) -> None:

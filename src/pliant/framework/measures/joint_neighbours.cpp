@@ -14,7 +14,8 @@ constexpr double joint_slack = 1.0 + 1e-9;
 constexpr double furthest_listed = 1e9;
 
 bool is_listable(Vec3 x) {
-  return std::abs(x.x) <= furthest_listed && std::abs(x.y) <= furthest_listed && std::abs(x.z) <= furthest_listed;
+  return std::abs(x.x) <= furthest_listed && std::abs(x.y) <= furthest_listed &&
+         std::abs(x.z) <= furthest_listed;
 }
 
 std::int64_t hashed_cell_of(double x, double edge) {
@@ -61,7 +62,8 @@ std::size_t JointNeighbours::bucket_at(std::int64_t i, std::int64_t j, std::int6
 }
 
 std::size_t JointNeighbours::bucket_of(Vec3 x) const {
-  return bucket_at(hashed_cell_of(x.x, edge_), hashed_cell_of(x.y, edge_), hashed_cell_of(x.z, edge_));
+  return bucket_at(hashed_cell_of(x.x, edge_), hashed_cell_of(x.y, edge_),
+                   hashed_cell_of(x.z, edge_));
 }
 
 void JointNeighbours::put(Joint joint, Vec3 x) {
@@ -85,7 +87,8 @@ void JointNeighbours::take_out(Joint joint) {
 /// Visits all joints in the 27 cells around x; each bucket once.
 template <class Visit>
 void JointNeighbours::visit_around(Vec3 x, const Visit& visit) const {
-  const std::array at{hashed_cell_of(x.x, edge_), hashed_cell_of(x.y, edge_), hashed_cell_of(x.z, edge_)};
+  const std::array at{hashed_cell_of(x.x, edge_), hashed_cell_of(x.y, edge_),
+                      hashed_cell_of(x.z, edge_)};
   std::array<std::size_t, 27> buckets{};
   std::size_t count = 0;
   for (std::int64_t i = -1; i <= 1; ++i)

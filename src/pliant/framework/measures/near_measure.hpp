@@ -19,9 +19,9 @@ class NearMeasure {
   NearMeasure(const Framework& framework, const Tolerance& tolerance)
       : framework_(framework), tolerance_(tolerance) {}
 
-  /// Prepares for `positions` (N, Angstrom). If `continues`, only `joints` have moved since the last
-  /// call of begin() or look(); else all may have, which costs O(N) where there are sterics. Returns
-  /// false if positions cannot be listed.
+  /// Prepares for `positions` (N, Angstrom). If `continues`, only `joints` have moved since the
+  /// last call of begin() or look(); else all may have, which costs O(N) where there are sterics.
+  /// Returns false if positions cannot be listed.
   bool begin(std::span<const Vec3> positions, std::span<const Joint> joints, bool continues);
   /// Says that these have moved.
   void look(std::span<const Vec3> positions, std::span<const Joint> joints);
@@ -57,8 +57,7 @@ class NearMeasure {
                         ResidualSummary& found) const;
   void measure_limits(std::span<const Vec3> positions, Joint joint, LimitsOff off,
                       ResidualSummary& found) const;
-  void measure_overlaps(std::span<const Vec3> positions, Joint joint,
-                        ResidualSummary& found) const;
+  void measure_overlaps(std::span<const Vec3> positions, Joint joint, ResidualSummary& found) const;
 
   const Framework& framework_;
   Tolerance tolerance_;

@@ -45,11 +45,10 @@ bool DrawnShapes::restore_one(const UnitPlaces& unit, std::span<const Joint> joi
   Corners at{};
   Axes shape;
   Carried own;
-  const bool has_corners =
-      find_corners(unit, joint_at, at) &&
-      find_axes(drawn(at.a), drawn(at.b), drawn(at.c), shape) &&
-      find_axes(start[at.a], start[at.b], start[at.c], own.from) &&
-      find_axes(at_hinge(at.a), at_hinge(at.b), parent(start[at.c]), own.to);
+  const bool has_corners = find_corners(unit, joint_at, at) &&
+                           find_axes(drawn(at.a), drawn(at.b), drawn(at.c), shape) &&
+                           find_axes(start[at.a], start[at.b], start[at.c], own.from) &&
+                           find_axes(at_hinge(at.a), at_hinge(at.b), parent(start[at.c]), own.to);
   own.is_still = !has_corners;
   carried_.push_back(has_corners ? own : parent);
   for (Slot place = unit.first; place < unit.last; ++place) {

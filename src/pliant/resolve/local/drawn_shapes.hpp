@@ -16,7 +16,7 @@ namespace pliant {
 struct UnitPlaces {
   static constexpr Slot none = ~Slot{0};
   Slot first = 0, last = 0;
-  Slot a = none, b = none;  ///< a hinge; equal for a ball joint; none: it moves freely
+  Slot a = none, b = none;      ///< a hinge; equal for a ball joint; none: it moves freely
   std::uint32_t parent = none;  ///< an earlier unit, which carries it; none: it hangs on the ground
 };
 
@@ -61,7 +61,7 @@ class DrawnShapes {
     return unit.parent == UnitPlaces::none ? Carried{} : carried_[unit.parent];
   }
 
-  std::span<const Vec3> drawn_;  ///< empty: not exact
+  std::span<const Vec3> drawn_;   ///< empty: not exact
   std::vector<Carried> carried_;  ///< (units)
 };
 

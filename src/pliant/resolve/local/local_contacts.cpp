@@ -55,8 +55,7 @@ bool LocalContacts::find_other(Slot place, Joint joint, std::span<const Vec3> x,
     return true;
   }
   other.at = x[other.place];
-  return plan_.joint_at()[place] < joint &&
-         plan_.body_at()[place] != plan_.body_at()[other.place];
+  return plan_.joint_at()[place] < joint && plan_.body_at()[place] != plan_.body_at()[other.place];
 }
 
 void LocalContacts::find_limits(Slot place, std::span<const Vec3> x, double weight) {
@@ -73,9 +72,11 @@ void LocalContacts::find_limits(Slot place, std::span<const Vec3> x, double weig
     const double length = std::sqrt(square);
     worst_.limit = std::max(worst_.limit, std::abs(excess(limit, length)));
     const double gap = (length > aim.most ? aim.most : aim.least) - length;
-    found_.push_back({joint, far, k,
-                      {place, other.place, (1.0 / (length + froda::least_length)) * apart, gap,
-                       weight}});
+    found_.push_back(
+        {joint,
+         far,
+         k,
+         {place, other.place, (1.0 / (length + froda::least_length)) * apart, gap, weight}});
   }
 }
 
@@ -90,7 +91,9 @@ void LocalContacts::find_overlaps(Slot place, std::span<const Vec3> x, double we
     if (square >= aim * aim) continue;
     const double length = std::sqrt(square);
     worst_.overlap = std::max(worst_.overlap, near.least - length);
-    found_.push_back({joint, near.joint, no_limit,
+    found_.push_back({joint,
+                      near.joint,
+                      no_limit,
                       {place, other.place, (1.0 / (length + froda::least_length)) * apart,
                        aim - length, weight}});
   }

@@ -35,7 +35,7 @@ class LocalContacts {
 
  private:
   struct Found {
-    Joint a, b;  ///< a moves
+    Joint a, b;        ///< a moves
     LimitIndex limit;  ///< or ~0: an overlap
     DistanceRow row;
   };

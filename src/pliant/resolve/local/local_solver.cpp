@@ -13,7 +13,7 @@ using froda::last_pulls, froda::pull_weight;
 namespace {
 
 // Angstrom
-constexpr double longest_leg = 1.0;    // largest distance between targets
+constexpr double longest_leg = 1.0;       // largest distance between targets
 constexpr double farthest_of_step = 1.5;  // largest displacement of a body in a step
 constexpr double widest_left = 1e-13;
 constexpr double small_push = 0.1;
@@ -74,8 +74,7 @@ void LocalSolver::begin(const LocalPush& push, std::size_t most_bodies) {
     push_[k] = push.target[joint_at[k]] - push.start[joint_at[k]];
   }
   x_ = start_;
-  if (push.step % steps_a_restore == 0)
-    shapes_.restore(planner_.units(), joint_at, start_, x_);
+  if (push.step % steps_a_restore == 0) shapes_.restore(planner_.units(), joint_at, start_, x_);
   target_.resize(x_.size());
   pulls_.clear();
   double square = 0.0;

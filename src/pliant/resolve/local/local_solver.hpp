@@ -25,8 +25,8 @@ struct LocalOptions {
 
 /// What is pushed. All must outlive the call.
 struct LocalPush {
-  std::span<const Vec3> start;   ///< (N, Angstrom) positions at which all is whole
-  std::span<const Vec3> target;  ///< (N) the same, but for the pushed joints
+  std::span<const Vec3> start;    ///< (N, Angstrom) positions at which all is whole
+  std::span<const Vec3> target;   ///< (N) the same, but for the pushed joints
   std::span<const Joint> joints;  ///< the pushed joints, not empty
   std::uint64_t step = 0;         ///< units get back their drawn shapes at one in eight
   LimitsOff limits_off = {};

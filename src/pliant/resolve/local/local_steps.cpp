@@ -87,10 +87,10 @@ class LocalSteps final : public Method {
   }
 
   Outcome try_region(const ResolveCall& call, std::size_t size, ResolveSummary& summary) {
-    const LocalResult result = solver_->resolve(
-        {call.reference, call.positions, call.disturbed.joints, call.key.step, call.limits_off,
-         call.neighbours},
-        size);
+    const LocalResult result =
+        solver_->resolve({call.reference, call.positions, call.disturbed.joints, call.key.step,
+                          call.limits_off, call.neighbours},
+                         size);
     ++summary.sweeps;
     summary.projections += result.visits;
     if (!result.is_whole) return Outcome::not_whole;

@@ -217,8 +217,8 @@ void RegionPlanner::add_riders(std::uint32_t unit) {
       if (other.node == unit || !may_ride(other.node)) continue;
       body_of_[other.node] = body;
       const UnitConnection entry = graph_.connection(connection.node);
-      add_unit(other.node, {0, 0, place_in(body, entry.a), place_in(body, entry.b),
-                            first_unit_[body]});
+      add_unit(other.node,
+               {0, 0, place_in(body, entry.a), place_in(body, entry.b), first_unit_[body]});
     }
 }
 

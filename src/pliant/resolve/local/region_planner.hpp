@@ -21,10 +21,11 @@ class RegionPlanner {
   explicit RegionPlanner(const Framework& framework);
 
   /// The units of `joints` (not empty) and those around them, nearest first over hinges
-  /// as bodies, up to some `most_bodies`; short tails as a whole. A unit at the end of a tail (a methyl group) rides on the unit
-  /// that holds it, unless it was pushed itself. Joints that the region shares with other units are
-  /// the ground's, and where it hangs on the ground more than once, the loops are cut. Without
-  /// others it moves freely. The plan is valid until the next call.
+  /// as bodies, up to some `most_bodies`; short tails as a whole. A unit at the end of a tail (a
+  /// methyl group) rides on the unit that holds it, unless it was pushed itself. Joints that the
+  /// region shares with other units are the ground's, and where it hangs on the ground more than
+  /// once, the loops are cut. Without others it moves freely. The plan is valid until the next
+  /// call.
   const BodyPlan& plan(std::span<const Joint> joints, std::size_t most_bodies);
 
   bool has_loops() const { return graph_.has_loops(); }
@@ -61,10 +62,10 @@ class RegionPlanner {
   BodyPlan plan_;
   std::vector<UnitPlaces> units_;
   std::vector<std::uint32_t> first_unit_;  ///< (bodies) of units_
-  std::vector<std::uint32_t> region_;   ///< units, nearest first
-  std::vector<std::uint8_t> is_in_;     ///< (units) 1: in the region, 2: and pushed
-  std::vector<std::uint32_t> body_of_;  ///< (units)
-  std::size_t bodies_ = 0;              ///< units of the region that will be bodies
+  std::vector<std::uint32_t> region_;      ///< units, nearest first
+  std::vector<std::uint8_t> is_in_;        ///< (units) 1: in the region, 2: and pushed
+  std::vector<std::uint32_t> body_of_;     ///< (units)
+  std::size_t bodies_ = 0;                 ///< units of the region that will be bodies
   std::size_t most_bodies_ = 0;
   std::vector<std::uint32_t> tail_;
   /// A unit to be added, the connection over which it hangs, and the body there.

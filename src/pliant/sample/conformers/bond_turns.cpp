@@ -142,6 +142,8 @@ constexpr BondTurnEntry bond_turn_table[] = {
 
 std::span<const BondTurnEntry> bond_turns() { return bond_turn_table; }
 
-const BondTurnEntry& entry(BondTurn kind) { return bond_turn_table[static_cast<std::size_t>(kind)]; }
+const BondTurnEntry& entry(BondTurn kind) {
+  return bond_turn_table[static_cast<std::size_t>(kind)];
+}
 
 }  // namespace pliant

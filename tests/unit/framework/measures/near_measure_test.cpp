@@ -120,7 +120,8 @@ TEST(NearMeasure, AtAllJointsIsTheMeasureOfAll) {
     }
     ASSERT_TRUE(near.begin(places, moved, round > 0));
     ResidualSummary found;
-    for (Joint joint = 0; joint < joints; ++joint) near.measure_at(places, joint, {}, found, all_anew);
+    for (Joint joint = 0; joint < joints; ++joint)
+      near.measure_at(places, joint, {}, found, all_anew);
     const ResidualSummary all = measure(framework, places);
     EXPECT_EQ(found.within, all.within);
     EXPECT_DOUBLE_EQ(found.max_relative, all.max_relative);

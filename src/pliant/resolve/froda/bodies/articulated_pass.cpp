@@ -12,10 +12,7 @@ using froda::add_scaled;
 
 ArticulatedPass::ArticulatedPass(const BodyPlan& plan, const WorkingTrees& working, double damping,
                                  double square_unit)
-    : plan_(plan),
-      working_(working),
-      damping_(damping),
-      square_unit_(square_unit) {
+    : plan_(plan), working_(working), damping_(damping), square_unit_(square_unit) {
   fit();
 }
 

@@ -36,16 +36,13 @@ double product(const std::vector<Twist>& forces, const std::vector<double>& of_t
 }  // namespace
 
 ArticulatedStep::ArticulatedStep(const BodyPlan& plan, const WorkingTrees& working, double unit)
-    : plan_(plan),
-      working_(working),
-      pass_(plan, working, damping * unit * unit, unit * unit) {
+    : plan_(plan), working_(working), pass_(plan, working, damping * unit * unit, unit * unit) {
   fit();
 }
 
 void ArticulatedStep::fit() {
   pass_.fit();
-  if (!closing_ && !plan_.cuts().empty())
-    closing_ = std::make_unique<CutClosing>(plan_, working_);
+  if (!closing_ && !plan_.cuts().empty()) closing_ = std::make_unique<CutClosing>(plan_, working_);
   motions_.twists.resize(plan_.bodies().size());
   motions_.angles.resize(plan_.turn_count());
   motion_.resize(plan_.bodies().size());
