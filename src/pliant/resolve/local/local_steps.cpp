@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/local/local_steps.hpp"
 
-#include <iterator>
-
 #include "pliant/base/random.hpp"
 #include "pliant/resolve/froda/froda.hpp"
 #include "pliant/resolve/local/local_solver.hpp"
@@ -23,9 +21,10 @@ constexpr double weight_of_units = 12.0;
 /// of random pushes on a protein one in 500 is in the smallest region, and none in the next.
 constexpr double least_followed = 0.05 / 12.0;
 /// Where more joints than these are all stretched out, no region can follow a push and the whole
-/// would have to: one in so many pushes is tried in the next larger region, others are taken back.
+/// would have to: one in so many pushes is tried in the next larger region and, after the largest,
+/// in the whole. The others stay as they are in the region, or are taken back.
 constexpr std::size_t most_joints_to_try = 5000;
-constexpr std::uint64_t one_in = 4;
+constexpr std::uint64_t one_in = 8;
 
 /// As quick as a whole as in regions, or quicker.
 constexpr std::size_t most_joints_as_a_whole = 200;
@@ -81,7 +80,8 @@ class LocalSteps final : public Method {
     for (std::size_t size : sizes) {
       const Outcome outcome = try_region(call, size, summary);
       if (outcome == Outcome::followed) return write(call);
-      if (outcome == Outcome::not_whole && !may_try_larger(call, size)) return take_back(call);
+      if (may_try_larger(call, size)) continue;
+      return outcome == Outcome::held_back ? write(call) : take_back(call);
     }
     return false;
   }
@@ -100,7 +100,6 @@ class LocalSteps final : public Method {
 
   bool may_try_larger(const ResolveCall& call, std::size_t size) const {
     if (framework_.joint_count() <= most_joints_to_try) return true;
-    if (size == *std::rbegin(sizes)) return false;
     RandomKey key = call.key;
     key.domain = Domain::region;
     key.joint = size;
