@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/path/ends.hpp"
 
-#include <sstream>
+#include <algorithm>
 #include <utility>
 
 #include "pliant/base/error.hpp"
@@ -57,8 +57,11 @@ Indices leaders(const MolecularModel& model, const MatchedSide& side) {
 ModelOptions model_options(const PathOptions& asked) {
   ModelOptions options;
   options.torsions = false;  // those of the end may be others
-  std::istringstream names(asked.keep);
-  for (std::string name; std::getline(names, name, ',');) options.prepare.keep.push_back(name);
+  for (std::size_t at = 0; at < asked.keep.size();) {
+    const std::size_t comma = std::min(asked.keep.find(',', at), asked.keep.size());
+    options.prepare.keep.push_back(asked.keep.substr(at, comma - at));
+    at = comma + 1;
+  }
   return options;
 }
 
