@@ -126,6 +126,18 @@ TEST(LocalLaw, BarsStayExactInLongRuns) {
   }
 }
 
+/// A region would not keep the centre of mass.
+TEST(LocalLaw, WithMassesTheWholeIsResolved) {
+  const Molecule m = molecule("peptide_20.pdb", true);
+  for (bool mass_weighted : {false, true}) {
+    std::vector<Vec3> x = m.start;
+    x[40] += push_of(0, 0.3);
+    Resolver resolver(m.framework, {"froda", 0.5, mass_weighted});
+    EXPECT_TRUE(resolver.resolve_near(x, 40, 1, m.start).converged());
+    EXPECT_EQ(resolver.moved().has_value(), !mass_weighted);
+  }
+}
+
 /// The same region, whatever is beyond it.
 TEST(LocalLaw, AStepCostsAsMuchInALongerChain) {
   std::int64_t visits[2];

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/resolve/froda/contact_steps.hpp"
+
 namespace pliant {
 namespace {
 
 // Angstrom
-constexpr double last_bound = 0.5;
-constexpr double margin = 0.01;  // steps aim inside limits, so that they end there
 constexpr double widest_closed = 1e-12;
 constexpr double largest_closing = 0.3;  // of a joint: more is no rounding off, but another place
 
-constexpr double pull_weight = 10.0;
 /// Careful pulls to the last target weigh contacts twice as much each time: the first one reaches
 /// the target blindly, the last ones leave few contacts to steps for contacts alone.
 constexpr double weight_growth = 2.0;
@@ -21,24 +20,8 @@ constexpr double spring_weight = 60.0;  // Angstrom^2: of torsion preferences
 constexpr double most_legs = 1e4;       // however far the push
 constexpr int careful_pulls = 4;
 constexpr int most_closings = 12;
-/// A step gains if it takes more than a twentieth off. Without gain for so many steps it is over;
-/// where something is still too near, later.
-constexpr double least_gain = 0.95;
-constexpr int patience = 6, long_patience = 15;
 /// After so many steps without gain torsion preferences let go: contacts win against them.
 constexpr int patience_with_springs = 2;
-constexpr double least_length = 1e-9;
-
-/// The interval that a step aims at.
-struct Aim {
-  double least, most;
-};
-
-Aim aim_of(const Limit& limit) {
-  const double least = limit.least > 0.0 ? limit.least + margin : 0.0;
-  const double most = limit.most - margin;
-  return least <= most ? Aim{least, most} : Aim{limit.least, limit.most};
-}
 
 }  // namespace
 
@@ -96,7 +79,7 @@ void FrodaFrame::begin(const FrodaPush& push, const FrodaOptions& options) {
 bool FrodaFrame::ask_for_careful_pull() {
   if (pulls_ >= legs_ - 1 + careful_pulls) return false;
   const int leg = ++pulls_;
-  double weight = pull_weight;
+  double weight = froda::pull_weight;
   for (int k = legs_; k < leg; ++k) weight *= weight_growth;
   const bool is_due = leg > 1 && (leg - 1) % options_.legs_a_look == 0;
   ask_for_pull(leg < legs_ ? double(leg) / legs_ : 1.0, leg > legs_ || is_due ? weight : 0.0);
@@ -104,7 +87,7 @@ bool FrodaFrame::ask_for_careful_pull() {
 }
 
 void FrodaFrame::ask_for_pull(double share, bool sees_contacts) {
-  ask_for_pull(share, sees_contacts ? pull_weight : 0.0);
+  ask_for_pull(share, sees_contacts ? froda::pull_weight : 0.0);
 }
 
 /// With contacts of this weight; 0: blindly.
@@ -151,20 +134,21 @@ bool FrodaFrame::ask_for_contacts() {
   const double here = std::max(worst.limit, worst.overlap);
   if (here <= options_.goal || pushes_ >= options_.last_steps) return false;
   ++pushes_;
-  since_gain_ = here < least_gain * least_ ? 0 : since_gain_ + 1;
+  since_gain_ = here < froda::least_gain * least_ ? 0 : since_gain_ + 1;
   least_ = std::min(least_, here);
   const bool is_whole = least_ <= std::min(options_.limit, options_.overlap);
-  if (since_gain_ >= (is_whole ? patience : long_patience)) return false;
+  if (since_gain_ >= (is_whole ? froda::patience : froda::long_patience)) return false;
   if (since_gain_ >= patience_with_springs) springs_let_go_ = true;
-  request_ = {{}, rows_, springs(!springs_let_go_), last_bound * unit_, conjugate_gradients()};
+  request_ = {
+      {}, rows_, springs(!springs_let_go_), froda::last_bound * unit_, conjugate_gradients()};
   return true;
 }
 
 bool FrodaFrame::ask_for_closing() {
-  if (closings_ >= most_closings || widest_gap() <= widest_closed * unit_) return false;
+  if (closings_ >= most_closings || plan_.widest_gap(x_) <= widest_closed * unit_) return false;
   if (closings_++ == 0) before_ = x_;
   rows_.clear();
-  request_ = {{}, {}, {}, last_bound * unit_, 0};
+  request_ = {{}, {}, {}, froda::last_bound * unit_, 0};
   return true;
 }
 
@@ -175,7 +159,7 @@ void FrodaFrame::note_step() {
 }
 
 bool FrodaFrame::has_broken_contacts() {
-  find_rows(pull_weight);
+  find_rows(froda::pull_weight);
   return !rows_.empty();
 }
 
@@ -186,7 +170,7 @@ FrodaResult FrodaFrame::finish(std::span<Vec3> out) {
   result.max_limit = worst.limit;
   result.max_overlap = worst.overlap;
   result.is_whole = worst.limit <= options_.limit && worst.overlap <= options_.overlap &&
-                    widest_gap() <= 10.0 * widest_closed * unit_ &&
+                    plan_.widest_gap(x_) <= 10.0 * widest_closed * unit_ &&
                     result.max_closing <= largest_closing * unit_;
   result.steps = steps_;
   result.visits = visits_;
@@ -201,13 +185,6 @@ double FrodaFrame::closing() const {
   for (std::size_t k = 0; k < x_.size(); ++k)
     furthest = std::max(furthest, norm_squared(x_[k] - before_[k]));
   return std::sqrt(furthest);
-}
-
-double FrodaFrame::widest_gap() const {
-  double widest = 0.0;
-  for (const LoopCut& cut : plan_.cuts())
-    widest = std::max(widest, distance(x_[cut.copy], x_[cut.joint]));
-  return widest;
 }
 
 FrodaFrame::Violation FrodaFrame::find_rows(double weight) {
@@ -238,7 +215,7 @@ void FrodaFrame::find_limit_rows(double weight, Violation& worst) {
   for (LimitIndex k = 0; k < limits.size(); ++k) {
     if (is_off(limits_off_, k)) continue;
     const Slot i = plan_.place_of(limits[k].a), j = plan_.place_of(limits[k].b);
-    const Aim aim = aim_of(limits[k]);
+    const froda::Aim aim = froda::aim_of(limits[k]);
     const Vec3 apart = x_[i] - x_[j];
     const double square = norm_squared(apart);
     if (square <= aim.most * aim.most && square >= aim.least * aim.least) continue;
@@ -246,21 +223,21 @@ void FrodaFrame::find_limit_rows(double weight, Violation& worst) {
     const double broken = std::abs(excess(limits[k], length));
     worst.limit = std::max(worst.limit, broken);
     const double gap = (length > aim.most ? aim.most : aim.least) - length;
-    add_row({i, j, (1.0 / (length + least_length)) * apart, gap, weight}, broken);
+    add_row({i, j, (1.0 / (length + froda::least_length)) * apart, gap, weight}, broken);
   }
 }
 
 void FrodaFrame::find_steric_rows(double weight, Violation& worst) {
   pairs_->update(x_);
   for (const NearPair& pair : pairs_->pairs()) {
-    const double aim = pair.least + margin;
+    const double aim = pair.least + froda::margin;
     const Vec3 apart = x_[pair.i] - x_[pair.j];
     const double square = norm_squared(apart);
     if (square >= aim * aim) continue;
     const double length = std::sqrt(square);
     const double broken = pair.least - length;
     worst.overlap = std::max(worst.overlap, broken);
-    add_row({pair.i, pair.j, (1.0 / (length + least_length)) * apart, aim - length, weight},
+    add_row({pair.i, pair.j, (1.0 / (length + froda::least_length)) * apart, aim - length, weight},
             broken);
   }
 }

@@ -94,7 +94,6 @@ class FrodaFrame {
   void set_targets(double share);
   void set_targets_on_course(double share);
   double closing() const;
-  double widest_gap() const;
   Violation find_rows(double weight);
   void add_row(const DistanceRow& row, double broken);
   void find_limit_rows(double weight, Violation& worst);

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/froda/froda_solver.hpp"
 
+#include "pliant/resolve/froda/contact_steps.hpp"
+
 namespace pliant {
-namespace {
-
-/// A first step that moves no body further (Angstrom) has carried nothing through anything:
-/// contacts alone then mend what it broke.
-constexpr double small_move = 0.1;
-constexpr int last_pulls = 3;  // blind, then as many with contacts
-/// Blind pulls of a small push end when one goes no further than this share of the first.
-constexpr double settled_share = 0.5;
-
-}  // namespace
 
 FrodaSolver::FrodaSolver(const Framework& framework, const BodyPlan& plan, double unit)
     : frame_(framework, plan, unit), step_(plan, frame_.working(), unit), unit_(unit) {}
@@ -47,7 +39,7 @@ void FrodaSolver::pull() {
   }
   if (pull_blindly() && frame_.legs() == 1) return;
   if (!frame_.has_broken_contacts()) return;
-  for (int k = 0; k < last_pulls; ++k) {
+  for (int k = 0; k < froda::last_pulls; ++k) {
     frame_.ask_for_pull(1.0, true);
     step();
   }
@@ -56,13 +48,13 @@ void FrodaSolver::pull() {
 /// All blind pulls. True if the push is so small that contacts need none of their own.
 bool FrodaSolver::pull_blindly() {
   double first = 0.0, moved = 0.0;
-  for (int k = 0; k < last_pulls; ++k) {
+  for (int k = 0; k < froda::last_pulls; ++k) {
     frame_.ask_for_pull(1.0, false);
     moved = step();
     if (k == 0) first = moved;
-    if (first <= small_move * unit_ && moved <= settled_share * first) break;
+    if (first <= froda::small_move * unit_ && moved <= froda::settled_share * first) break;
   }
-  return first <= small_move * unit_;
+  return first <= froda::small_move * unit_;
 }
 
 /// How far it moved the body that went furthest (Angstrom).

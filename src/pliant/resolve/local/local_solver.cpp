@@ -133,11 +133,11 @@ void LocalSolver::repair() {
 /// Closes the loops over the ground by Newton's method. Where a region is all stretched out, that
 /// hardly converges: then it is given up at once.
 bool LocalSolver::close() {
-  double gap = widest_gap();
+  double gap = plan_->widest_gap(x_);
   for (int k = 0; k < most_closing_steps && gap > widest_left * options_.unit; ++k) {
     step({{}, {}, {}, froda::last_bound * options_.unit, 0, {}});
     const double before = gap;
-    gap = widest_gap();
+    gap = plan_->widest_gap(x_);
     if (!(gap <= least_closed * before) && gap > 10.0 * widest_left * options_.unit) return false;
   }
   return gap <= 10.0 * widest_left * options_.unit;
@@ -146,13 +146,6 @@ bool LocalSolver::close() {
 double LocalSolver::step(const StepRequest& request) {
   visits_ += static_cast<std::int64_t>(plan_->bodies().size());
   return step_.step(x_, request);
-}
-
-double LocalSolver::widest_gap() const {
-  double widest = 0.0;
-  for (const LoopCut& cut : plan_->cuts())
-    widest = std::max(widest, norm_squared(x_[cut.copy] - x_[cut.joint]));
-  return std::sqrt(widest);
 }
 
 double LocalSolver::followed() const {

@@ -65,7 +65,6 @@ class LocalSolver {
   void set_targets(double share);
   void repair();
   bool close();
-  double widest_gap() const;
   double followed() const;
   bool is_near() const;
   double step(const StepRequest& request);

@@ -18,7 +18,7 @@ constexpr std::size_t sizes[] = {18, 72, 288};
 /// as in the pass over all units, which places theirs first.
 constexpr double weight_of_units = 12.0;
 /// Joints that follow less than this share of a push, for each unit of their weight, are held back:
-/// of random pushes on a protein one in 500 is in the smallest region, and none in the next.
+/// of random pushes on a protein one in some hundreds is in the smallest region.
 constexpr double least_followed = 0.05 / 12.0;
 /// Where more joints than these are all stretched out, no region can follow a push and the whole
 /// would have to: one in so many pushes is tried in the next larger region and, after the largest,
@@ -44,7 +44,7 @@ class LocalSteps final : public Method {
 
   bool looks_near() const override {
     return framework_.joint_count() > most_joints_as_a_whole && !framework_.has_pinned_joints() &&
-           !framework_.is_planar();
+           !framework_.is_planar() && !technique_.mass_weighted;
   }
 
   void prepare_near() override {

@@ -116,9 +116,7 @@ void RegionPlanner::place_ground() {
   for (std::uint32_t unit : region_)
     for (Joint joint : set_.at(unit)) {
       if (plan_.place_of_[joint] != no_place || !has_unit_outside(joint)) continue;
-      plan_.place_of_[joint] = static_cast<Slot>(plan_.joint_at_.size());
-      plan_.joint_at_.push_back(joint);
-      plan_.body_at_.push_back(0);
+      plan_.add_place(joint, 0);
     }
   if (plan_.joint_at_.empty()) return;
   plan_.ground_ = 0;
@@ -172,8 +170,8 @@ void RegionPlanner::add_body(std::uint32_t unit, UnitNode from, std::uint32_t pa
     const UnitConnection entry = graph_.connection(from);
     body.parent = static_cast<std::int32_t>(parent);
     places.parent = first_unit_[parent];
-    body.a = places.a = place_in(parent, entry.a);
-    body.b = places.b = place_in(parent, entry.b);
+    body.a = places.a = plan_.place_in(parent, entry.a);
+    body.b = places.b = plan_.place_in(parent, entry.b);
   }
   body.first = body.last = static_cast<Slot>(plan_.joint_at_.size());
   plan_.turn_count_ += body.turns();
@@ -184,8 +182,7 @@ void RegionPlanner::add_body(std::uint32_t unit, UnitNode from, std::uint32_t pa
   add_riders(unit);
 }
 
-/// The joints of a unit, to the last body. A joint that has a place already (the ground's, or
-/// another branch's) gets a copy here: a loop is cut.
+/// The joints of a unit, to the last body.
 void RegionPlanner::add_unit(std::uint32_t unit, UnitPlaces places) {
   const auto is_at = [&](Joint joint, Slot place) {
     return place != UnitPlaces::none && plan_.joint_at_[place] == joint;
@@ -193,14 +190,7 @@ void RegionPlanner::add_unit(std::uint32_t unit, UnitPlaces places) {
   places.first = static_cast<Slot>(plan_.joint_at_.size());
   for (Joint joint : set_.at(unit)) {
     if (is_at(joint, places.a) || is_at(joint, places.b)) continue;
-    const auto place = static_cast<Slot>(plan_.joint_at_.size());
-    if (plan_.place_of_[joint] == no_place) {
-      plan_.place_of_[joint] = place;
-    } else {
-      plan_.cuts_.push_back({place, plan_.place_of_[joint]});
-    }
-    plan_.joint_at_.push_back(joint);
-    plan_.body_at_.push_back(static_cast<std::uint32_t>(plan_.bodies_.size() - 1));
+    plan_.add_place(joint, static_cast<std::uint32_t>(plan_.bodies_.size() - 1));
   }
   places.last = plan_.bodies_.back().last = static_cast<Slot>(plan_.joint_at_.size());
   units_.push_back(places);
@@ -217,18 +207,9 @@ void RegionPlanner::add_riders(std::uint32_t unit) {
       if (other.node == unit || !may_ride(other.node)) continue;
       body_of_[other.node] = body;
       const UnitConnection entry = graph_.connection(connection.node);
-      add_unit(other.node,
-               {0, 0, place_in(body, entry.a), place_in(body, entry.b), first_unit_[body]});
+      add_unit(other.node, {0, 0, plan_.place_in(body, entry.a), plan_.place_in(body, entry.b),
+                            first_unit_[body]});
     }
-}
-
-/// Where a body has a joint: among its own, else where its ancestors have it.
-Slot RegionPlanner::place_in(std::uint32_t body, Joint joint) const {
-  for (const PlanBody* at = &plan_.bodies_[body];; at = &plan_.bodies_[std::size_t(at->parent)]) {
-    for (Slot place = at->first; place < at->last; ++place)
-      if (plan_.joint_at_[place] == joint) return place;
-    if (at->parent < 0) return plan_.place_of_[joint];
-  }
 }
 
 }  // namespace pliant

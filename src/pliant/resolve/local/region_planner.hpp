@@ -48,7 +48,6 @@ class RegionPlanner {
   void add_body(std::uint32_t unit, UnitNode from, std::uint32_t parent);
   void add_unit(std::uint32_t unit, UnitPlaces places);
   void add_riders(std::uint32_t unit);
-  Slot place_in(std::uint32_t body, Joint joint) const;
   void end_tree(std::uint32_t first);
 
   bool is_end(std::uint32_t unit) const { return graph_.links.at(unit).size() == 1; }

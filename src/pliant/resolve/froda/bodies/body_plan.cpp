@@ -116,38 +116,17 @@ class BodyPlanner {
       entry = graph_.connection(from_[unit]);
       const std::uint32_t parent = body_of_[from_[from_[unit]]];
       body.parent = static_cast<std::int32_t>(parent);
-      body.a = place_in(parent, entry.a);
-      body.b = place_in(parent, entry.b);
+      body.a = plan_.place_in(parent, entry.a);
+      body.b = plan_.place_in(parent, entry.b);
     }
     const auto index = static_cast<std::uint32_t>(plan_.bodies_.size());
     body_of_[unit] = index;
     body.first = static_cast<Slot>(plan_.joint_at_.size());
     for (Joint joint : set_.at(unit))
-      if (joint != entry.a && joint != entry.b) add_place(joint, index);
+      if (joint != entry.a && joint != entry.b) plan_.add_place(joint, index);
     body.last = static_cast<Slot>(plan_.joint_at_.size());
     plan_.turn_count_ += body.turns();
     plan_.bodies_.push_back(body);
-  }
-
-  /// A joint that another branch moves already gets a copy here: a loop is cut.
-  void add_place(Joint joint, std::uint32_t body) {
-    const auto place = static_cast<Slot>(plan_.joint_at_.size());
-    if (plan_.place_of_[joint] == unset) {
-      plan_.place_of_[joint] = place;
-    } else {
-      plan_.cuts_.push_back({place, plan_.place_of_[joint]});
-    }
-    plan_.joint_at_.push_back(joint);
-    plan_.body_at_.push_back(body);
-  }
-
-  /// Where a body has a joint of its unit: among its own, else where its ancestors have it.
-  Slot place_in(std::uint32_t body, Joint joint) const {
-    for (const PlanBody* at = &plan_.bodies_[body];; at = &plan_.bodies_[std::size_t(at->parent)]) {
-      for (Slot place = at->first; place < at->last; ++place)
-        if (plan_.joint_at_[place] == joint) return place;
-      if (at->parent < 0) return plan_.place_of_[joint];
-    }
   }
 
   const Framework& framework_;
@@ -159,6 +138,31 @@ class BodyPlanner {
   std::uint32_t search_ = 0;
   std::vector<std::uint32_t> body_of_;
 };
+
+void BodyPlan::add_place(Joint joint, std::uint32_t body) {
+  const auto place = static_cast<Slot>(joint_at_.size());
+  if (place_of_[joint] == no_place) {
+    place_of_[joint] = place;
+  } else {
+    cuts_.push_back({place, place_of_[joint]});
+  }
+  joint_at_.push_back(joint);
+  body_at_.push_back(body);
+}
+
+Slot BodyPlan::place_in(std::uint32_t body, Joint joint) const {
+  for (const PlanBody* at = &bodies_[body];; at = &bodies_[std::size_t(at->parent)]) {
+    for (Slot place = at->first; place < at->last; ++place)
+      if (joint_at_[place] == joint) return place;
+    if (at->parent < 0) return place_of_[joint];
+  }
+}
+
+double BodyPlan::widest_gap(std::span<const Vec3> x) const {
+  double widest = 0.0;
+  for (const LoopCut& cut : cuts_) widest = std::max(widest, distance(x[cut.copy], x[cut.joint]));
+  return widest;
+}
 
 std::optional<BodyPlan> BodyPlan::make(const Framework& framework) {
   if (framework.has_pinned_joints() || framework.is_planar()) return std::nullopt;

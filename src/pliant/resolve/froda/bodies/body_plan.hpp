@@ -57,12 +57,22 @@ class BodyPlan {
   Slot place_of(Joint joint) const { return place_of_[joint]; }
   std::span<const std::uint32_t> body_at() const { return body_at_; }  ///< of each place
   std::span<const LoopCut> cuts() const { return cuts_; }
+  /// Where a body has a joint of its unit: among its own, else where its ancestors have it.
+  Slot place_in(std::uint32_t body, Joint joint) const;
+  /// The largest distance between the two places of a cut at `x` (places, Angstrom).
+  double widest_gap(std::span<const Vec3> x) const;
   /// Whether a body is the ground: a root that never moves, to which a part of a molecule is tied.
   bool is_ground(std::uint32_t body) const { return body == ground_; }
 
  private:
   friend class BodyPlanner;
   friend class RegionPlanner;
+
+  static constexpr Slot no_place = ~Slot{0};
+
+  /// A joint that has a place already (the ground's, or another branch's) gets a copy: a loop is
+  /// cut.
+  void add_place(Joint joint, std::uint32_t body);
 
   std::vector<PlanBody> bodies_;
   std::vector<BodyTree> trees_;
