@@ -15,6 +15,8 @@ const out = join(root, 'build', 'play');
 const {build} = createRequire(join(out, 'package.json'))('esbuild');
 
 const source = (name) => readFileSync(join(here, 'page', name), 'utf8');
+// By their names: what is for narrow windows comes last.
+const styles = () => readdirSync(join(here, 'page', 'style')).sort().map((name) => source(join('style', name))).join('');
 const version = /project\(pliant VERSION ([0-9.]+)/.exec(
   readFileSync(join(root, 'CMakeLists.txt'), 'utf8'))[1];
 
@@ -74,7 +76,7 @@ function examples() {
 }
 
 function assemble(parts) {
-  const style = source('style.css');
+  const style = styles();
   const script = inScript(parts.page);
   const blocks = [
     data('solver-wasm', packed(parts.wasm)), data('solver-worker', packed(parts.solver)),
