@@ -20,7 +20,7 @@ const styles = () => readdirSync(join(here, 'page', 'style')).sort().map((name) 
 const version = /project\(pliant VERSION ([0-9.]+)/.exec(
   readFileSync(join(root, 'CMakeLists.txt'), 'utf8'))[1];
 
-// One script without imports; node's modules, which h5wasm asks for in vain, are left empty.
+// One script without imports.
 async function bundle(file) {
   const result = await build({
     entryPoints: [file],
@@ -32,7 +32,7 @@ async function bundle(file) {
     legalComments: 'none',
     charset: 'utf8',
     nodePaths: [join(out, 'node_modules')],
-    external: ['fs', 'path', 'crypto', 'module', 'ws', 'url', 'node:*'],
+    external: ['node:*'],
     define: {'process.env.NODE_ENV': '"production"', PLIANT_VERSION: JSON.stringify(version)},
     logLevel: 'warning',
   });

@@ -3,7 +3,7 @@
 import {existsSync, readFileSync, readdirSync} from 'node:fs';
 import {join} from 'node:path';
 
-const PACKAGES = ['three', 'h5wasm'];  // what is inside the bundle, of what npm installs
+const PACKAGES = ['three'];  // what is inside the bundle, of what npm installs
 
 function licenceOf(folder) {
   const name = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));

@@ -31,6 +31,16 @@ export async function readH5md(name, bytes) {
   try {
     return await (await worker()).ask('read', {bytes});
   } catch (error) {
-    throw new Error(`${name}: ${error.message || 'not an HDF5 file that can be read'}`);
+    throw new Error(`${name}: ${error.message}`);
+  }
+}
+
+/** Datasets, and names and attributes of groups, of an HDF5 file: {path: {shape, data, attributes},
+ * or {names, attributes}, or null where there is none}. Throws Error naming the file. */
+export async function readDatasets(name, bytes, paths) {
+  try {
+    return (await (await worker()).ask('datasets', {bytes, paths})).values;
+  } catch (error) {
+    throw new Error(`${name}: ${error.message}`);
   }
 }
