@@ -103,7 +103,7 @@ export class Hdf5File {
     this.root = rootOf(this.source);
   }
 
-  /** Group {kind, names()} or dataset {kind, shape, read()} of this path, or null; both have
+  /** Group {kind, names()} or dataset {kind, shape, read()} of this path, or null; all have
    * attribute(name). Throws Error for what is damaged or not read. */
   get(path) {
     const address = this.#addressOf(path.split('/').filter(Boolean));
@@ -114,8 +114,9 @@ export class Hdf5File {
     const messages = messagesAt(this.source, address);
     const links = linksOf(this.source, messages);
     if (links) return new Group(this, messages, links);
-    const dataset = new Dataset(this, messages);
     const item = new Item(this, messages);
+    if (!messages.some(({kind}) => kind === MESSAGE.space)) return Object.assign(item, {kind: 'type'});
+    const dataset = new Dataset(this, messages);
     dataset.attribute = (name) => item.attribute(name);
     dataset.attributeNames = () => item.attributeNames();
     return dataset;

@@ -10,7 +10,7 @@ export class Damaged extends Error {
 /** HDF5 has it, the page does not read it. */
 export class Outside extends Error {
   constructor(what) {
-    super(`found ${what}, which the page does not read; h5repack --low=0 --high=0 writes what it reads`);
+    super(`found ${what}, which the page does not read (h5repack -f GZIP=1 writes another file of it)`);
   }
 }
 
