@@ -8,6 +8,7 @@ import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {gzipSync} from 'node:zlib';
 import {notices} from './notices.mjs';
+import {threeSlim} from './three_slim.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, '..', '..');
@@ -32,6 +33,8 @@ async function bundle(file) {
     legalComments: 'none',
     charset: 'utf8',
     nodePaths: [join(out, 'node_modules')],
+    plugins: [threeSlim(join(out, 'node_modules', 'three'))],
+    metafile: true,
     external: ['node:*'],
     define: {'process.env.NODE_ENV': '"production"', PLIANT_VERSION: JSON.stringify(version)},
     logLevel: 'warning',
