@@ -6,6 +6,9 @@ import {
 } from 'three';
 import {Arrow} from './arrow.mjs';
 import {Orbit} from './camera.mjs';
+import {Members} from './members.mjs';
+import {Ribbon} from './ribbon.mjs';
+import {STYLES} from './styles.mjs';
 import {Textures, WIDTH} from './textures.mjs';
 import {
   ballFragment, ballVertex, stickFragment, stickVertex, traceVertex,
@@ -13,17 +16,10 @@ import {
 
 ColorManagement.enabled = false;  // the shaders write the colours of the screen
 
+const NO_PART = {members: {value: null}, memberCount: {value: 0}};  // all are drawn
 const rgb = (text) => new Vector3(...[1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255));
 
-/** Ball and stick sizes of the styles; radii of sticks in Angstrom. */
-export const STYLES = {
-  balls: {title: 'Ball and stick', ball: 0.24, stick: 0.13, trace: 0},
-  sticks: {title: 'Sticks', ball: 0, stick: 0.17, trace: 0},
-  lines: {title: 'Lines', ball: 0, stick: 0.05, trace: 0},
-  spheres: {title: 'Spheres', ball: 1, stick: 0, trace: 0},
-  trace: {title: 'Trace', ball: 0, stick: 0.0, trace: 0.55},
-  'trace-lines': {title: 'Trace and lines', ball: 0, stick: 0.06, trace: 0.4},
-};
+export {STYLES};
 
 const COLOURS = {
   hoverColour: '#ffd23f', nearColour: '#56b4e9', farColour: '#e69f00', pinColour: '#222831',
@@ -51,7 +47,8 @@ function instanced(geometry) {
   return made;
 }
 
-function layer(shape, uniforms, vertexShader, fragmentShader, smooth) {
+function layer(shape, shared, vertexShader, fragmentShader, smooth, part = NO_PART) {
+  const uniforms = {...shared, ...part};
   const material = new RawShaderMaterial({
     glslVersion: GLSL3, uniforms, vertexShader, fragmentShader, alphaToCoverage: smooth,
   });
@@ -77,12 +74,14 @@ export class View {
     this.orbit = new Orbit();
     this.uniforms = uniformsOf();
     this.scene = new Scene();
-    this.balls = layer(new PlaneGeometry(2, 2), this.uniforms, ballVertex, ballFragment, this.isSmooth);
+    this.members = new Members();
+    this.ribbon = new Ribbon(this.uniforms);
+    this.balls = layer(new PlaneGeometry(2, 2), this.uniforms, ballVertex, ballFragment, this.isSmooth, this.members.joints);
     const box = new BoxGeometry(2, 2, 2);
-    this.sticks = layer(box, this.uniforms, stickVertex, stickFragment, false);
+    this.sticks = layer(box, this.uniforms, stickVertex, stickFragment, false, this.members.sticks);
     this.trace = layer(box, this.uniforms, traceVertex, stickFragment, false);
     this.arrow = new Arrow();
-    this.scene.add(this.balls, this.sticks, this.trace);
+    this.scene.add(this.ribbon.mesh, this.balls, this.sticks, this.trace);
     this.patch = new WebGLRenderTarget(1, 1);
     this.walkers = 1;
     this.split = false;
@@ -96,7 +95,9 @@ export class View {
   open(model, positions) {
     this.model = model;
     this.split = false;
+    this.ribbon.open(model, positions);
     this.allocate(1);
+    this.members.open(model, this.ribbon.runs, this.textures);
     this.textures.setPositions(positions);
     this.uniforms.unit.value = this.unit = unitOf(model, positions);
     this.orbit.frame(positions, this.unit);
@@ -170,9 +171,12 @@ export class View {
 
   count(walkers) {
     const style = STYLES[this.style];
-    const {model, textures, balls, sticks, trace} = this;
-    balls.geometry.instanceCount = this.style === 'trace' ? 0 : model.joints * walkers;
-    sticks.geometry.instanceCount = textures.stickCount * walkers;
+    const {model, textures, balls, sticks, trace, ribbon, members, uniforms} = this;
+    if (style.isPart) members.choose(textures, uniforms.lit.value.x, uniforms.litBar.value);
+    else members.all();
+    ribbon.show(style.ribbon ? walkers : 0);
+    balls.geometry.instanceCount = this.style === 'trace' ? 0 : members.jointsOf(model.joints) * walkers;
+    sticks.geometry.instanceCount = members.sticksOf(textures.stickCount) * walkers;
     trace.geometry.instanceCount = style.trace ? 5 * textures.pieceCount * walkers : 0;
     trace.visible = trace.geometry.instanceCount > 0;
     balls.visible = balls.geometry.instanceCount > 0;
