@@ -43,6 +43,7 @@ export class Members {
   /** All of them, in the styles without a ribbon. */
   all() {
     this.joints.memberCount.value = this.sticks.memberCount.value = 0;
+    this.seen = '';
   }
 
   /** Looks again where something else is under the pointer, marked or held. */

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The cartoon of a protein or nucleic acid: what of the model it goes through, once a file is opened.
 // Where it runs, the graphics processor finds anew from the positions of each frame.
-import {BufferAttribute, BufferGeometry, GLSL3, InstancedBufferGeometry, Mesh, RawShaderMaterial} from 'three';
+import {
+  BufferAttribute, BufferGeometry, DoubleSide, FrontSide, GLSL3, InstancedBufferGeometry, Mesh, RawShaderMaterial,
+} from 'three';
 import {ribbonFragment, ribbonVertex} from './ribbon_shader.mjs';
 import {numbers} from './textures.mjs';
 
 export const [COIL, HELIX, STRAND, NUCLEIC] = [0, 1, 2, 3];
 const LETTERS = {H: HELIX, E: STRAND};
 const FARTHEST = {6: 5, 15: 9};  // Angstrom between two CA or P of a chain; what is farther is a gap
-const SIDES = 8;
+/** Of a strip: eight about it, or two edges of a flat one that costs an eighth. */
+export const [ROUND, FLAT] = [8, 2];
 
 const less = (a, b) => a.map((x, c) => x - b[c]);
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -73,19 +76,29 @@ function piecesOf(model, run, guides, positions) {
   });
 }
 
-/** Rings of a strip along x from 0 to 1; one lies close to the first, where an arrow begins. */
-function strip(segments) {
+/** Strips of all pieces: x from 0 to 1 along each, side, piece. One ring lies close to the first,
+ * where an arrow begins. One mesh and not an instance a piece: software draws each instance by itself. */
+function strips(pieces, segments, sides) {
   const rings = [0, 0.02, ...Array.from({length: segments}, (_, k) => (k + 1) / segments)];
-  const places = rings.flatMap((x) => Array.from({length: SIDES}, (_, side) => [x, side, 0])).flat();
-  const index = [];
-  for (let ring = 0; ring + 1 < rings.length; ++ring)
-    for (let side = 0; side < SIDES; ++side) {
-      const [a, b] = [ring * SIDES + side, ring * SIDES + (side + 1) % SIDES];
-      index.push(a, b, a + SIDES, b, b + SIDES, a + SIDES);
-    }
+  const faces = sides === FLAT ? 1 : sides;
+  const places = new Float32Array(3 * pieces * rings.length * sides);
+  const index = new Uint32Array(6 * pieces * (rings.length - 1) * faces);
+  let place = 0, corner = 0;
+  for (let piece = 0; piece < pieces; ++piece)
+    rings.forEach((x, ring) => {
+      const first = place / 3;
+      for (let side = 0; side < sides; ++side) {
+        places.set([x, side, piece], place);
+        place += 3;
+        if (ring + 1 === rings.length || side >= faces) continue;
+        const [a, b] = [first + side, first + (side + 1) % sides];
+        index.set([a, b, a + sides, b, b + sides, a + sides], corner);
+        corner += 6;
+      }
+    });
   const made = new InstancedBufferGeometry();
-  made.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
-  made.setIndex(index);
+  made.setAttribute('position', new BufferAttribute(places, 3));
+  made.setIndex(new BufferAttribute(index, 1));
   return made;
 }
 
@@ -93,7 +106,7 @@ export class Ribbon {
   /** `shared`: the uniforms of the picture. */
   constructor(shared) {
     this.uniforms = {
-      ...shared, pieces: {value: null}, ribbonCount: {value: 1}, sides: {value: SIDES}, ribbonScale: {value: 1},
+      ...shared, pieces: {value: null}, sides: {value: ROUND}, ribbonScale: {value: 1},
     };
     const material = new RawShaderMaterial({
       glslVersion: GLSL3, uniforms: this.uniforms, vertexShader: ribbonVertex, fragmentShader: ribbonFragment,
@@ -101,14 +114,24 @@ export class Ribbon {
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.mesh.frustumCulled = false;
     this.count = 0;
-    this.setSegments(8);
+    this.segments = 8;
+    this.made = {};  // meshes by detail
   }
 
-  setSegments(segments) {
-    if (segments === this.segments) return;
+  /** How finely: parts of a piece, and ROUND or FLAT. */
+  setDetail(segments, sides) {
+    if (segments === this.segments && sides === this.uniforms.sides.value) return;
     this.segments = segments;
-    this.mesh.geometry.dispose();
-    this.mesh.geometry = strip(segments);
+    this.uniforms.sides.value = sides;
+    this.mesh.material.side = sides === FLAT ? DoubleSide : FrontSide;
+    this.make();
+  }
+
+  make() {
+    const {segments, uniforms} = this;
+    const key = `${segments} ${uniforms.sides.value}`;
+    this.made[key] ??= strips(this.count, segments, uniforms.sides.value);
+    this.mesh.geometry = this.made[key];
   }
 
   open(model, positions) {
@@ -121,11 +144,13 @@ export class Ribbon {
     this.uniforms.pieces.value?.dispose();
     this.uniforms.pieces.value = numbers(rows.length / 4);
     this.uniforms.pieces.value.image.data.set(rows);
-    this.uniforms.ribbonCount.value = Math.max(1, this.count);
+    for (const mesh of Object.values(this.made)) mesh.dispose();
+    this.made = {};
+    this.make();
   }
 
   show(walkers) {
     this.mesh.visible = this.count > 0 && walkers > 0;
-    this.mesh.geometry.instanceCount = this.count * walkers;
+    this.mesh.geometry.instanceCount = walkers;
   }
 }

@@ -6,7 +6,7 @@ import {shading, shared} from './shaders.mjs';
 
 export const ribbonVertex = shared + /* glsl */`
 uniform isampler2D pieces;  // three texels a piece: CA before, from, to, after; their O; CA beyond, flags
-uniform int ribbonCount, sides;
+uniform int sides;
 uniform float ribbonScale;
 uniform vec3 lit, hoverColour, waveColour;
 flat out vec3 colourFrom, colourTo;
@@ -30,8 +30,27 @@ vec3 colourOf(int joint, int walker) {
   if (walker > 0) colour = mix(colour, vec3(.5), .35);
   return walker == 0 && joint == int(lit.x) ? hoverColour : colour;
 }
+// Without thickness; a tube faces the eye.
+void flatStrip(vec3 middle, vec3 tangent, vec3 side, vec2 size) {
+  float edge = 2. * position.y - 1., flatness = smoothstep(.1, .5, size.x - size.y);
+  vec3 turned = normalize(cross(tangent, -middle));
+  side = normalize(mix(turned * (dot(turned, side) < 0. ? -1. : 1.), side, flatness));
+  vec3 over = cross(tangent, side);
+  if (flatness < .5 && dot(over, middle) > 0.) over = -over;
+  hit = middle + side * edge * size.x;
+  normal = over + side * edge * (1.5 - 1.4 * flatness);
+}
+void roundStrip(vec3 middle, vec3 side, vec3 over, vec3 size) {
+  float angle = (position.y + .5) * 6.2831853 / float(sides);
+  vec2 unitary = vec2(cos(angle), sin(angle));
+  float quarter = floor(angle / 1.5707963 + .5) * 1.5707963;
+  vec2 corner = mix(unitary, sign(unitary), size.z) * size.xy;
+  vec2 outward = mix(normalize(unitary / size.xy), vec2(cos(quarter), sin(quarter)), size.z);
+  hit = middle + side * corner.x + over * corner.y;
+  normal = side * outward.x + over * outward.y;
+}
 void main() {
-  int piece = gl_InstanceID % ribbonCount, walker = gl_InstanceID / ribbonCount;
+  int piece = int(position.z), walker = gl_InstanceID;
   int seen = walker + firstWalker;
   ivec4 k = texelFetch(pieces, texel(3 * piece), 0), o = texelFetch(pieces, texel(3 * piece + 1), 0);
   ivec4 more = texelFetch(pieces, texel(3 * piece + 2), 0);
@@ -49,19 +68,13 @@ void main() {
   vec3 tangent = normalize(way + t * (2. * bend + 3. * t * turn) + 1e-6);
   vec3 side = mix(ga + 2. * gb + gc, gb + 2. * gc + gd, t);
   side = normalize(side - tangent * dot(side, tangent) + 1e-6);
-  vec3 over = cross(tangent, side);
   float share = smoothstep(.1, .9, t);
   vec3 size = mix(sizeOf(flags >> 8 & 3), sizeOf(flags >> 10 & 3), share);
   if ((flags & 4096) != 0) size = vec3(t > 0. ? mix(1.95, .2, t) : size.x, size.y, 1.);
   if ((flags & 8192) != 0 && t == 0. || (flags & 16384) != 0 && t == 1.) size.xy *= .05;
   size.xy *= ribbonScale;
-  float angle = (position.y + .5) * 6.2831853 / float(sides);
-  vec2 unitary = vec2(cos(angle), sin(angle));
-  float quarter = floor(angle / 1.5707963 + .5) * 1.5707963;
-  vec2 corner = mix(unitary, sign(unitary), size.z) * size.xy;
-  vec2 out2 = mix(normalize(unitary / size.xy), vec2(cos(quarter), sin(quarter)), size.z);
-  hit = middle + side * corner.x + over * corner.y;
-  normal = side * out2.x + over * out2.y;
+  if (sides == 2) flatStrip(middle, tangent, side, size.xy);
+  else roundStrip(middle, side, cross(tangent, side), size);
   along = t;
   ends = k.yz;
   colourFrom = colourOf(k.y, walker);
@@ -71,6 +84,7 @@ void main() {
 
 export const ribbonFragment = shading + /* glsl */`
 flat in vec3 colourFrom, colourTo;
+uniform int sides;
 flat in ivec2 ends;
 in vec3 hit, normal;
 in float along;
@@ -78,5 +92,6 @@ void main() {
   bool isFirst = along < .5;
   if (picking > .5) { pixel = number((isFirst ? ends.x : ends.y) + 1); return; }
   vec3 n = normalize(normal);
+  if (sides == 2 && dot(n, hit) > 0.) n = -n;
   pixel = vec4(shade(isFirst ? colourFrom : colourTo, hit, n), 1.);
 }`;

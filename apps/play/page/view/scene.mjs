@@ -7,6 +7,7 @@ import {
 import {Arrow} from './arrow.mjs';
 import {Orbit} from './camera.mjs';
 import {Members} from './members.mjs';
+import {Quality, isSoftware} from './quality.mjs';
 import {Ribbon} from './ribbon.mjs';
 import {STYLES} from './styles.mjs';
 import {Textures, WIDTH} from './textures.mjs';
@@ -31,7 +32,7 @@ function uniformsOf() {
   const values = {
     positions: null, look: null, marks: null, bars: null, controls: null, strain: null,
     width: WIDTH, joints: 1, firstWalker: 0, barCount: 1, pieceCount: 1, ballScale: 0.24, unit: 1,
-    stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0,
+    stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0, rich: 1,
     kindRadius: new Vector4(1, 0, 0.45, 0), lit: new Vector3(-1, -1, -1),
     background: new Vector3(1, 1, 1), fog: new Vector2(10, 100),
   };
@@ -57,15 +58,6 @@ function layer(shape, shared, vertexShader, fragmentShader, smooth, part = NO_PA
   return mesh;
 }
 
-/** Whether the browser draws without a graphics processor: then with fewer samples. */
-function isSoftware() {
-  const gl = document.createElement('canvas').getContext('webgl2');
-  const facts = gl?.getExtension('WEBGL_debug_renderer_info');
-  const name = facts ? gl.getParameter(facts.UNMASKED_RENDERER_WEBGL) : '';
-  gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
-}
-
 export class View {
   constructor(canvas) {
     this.isSmooth = !isSoftware();
@@ -83,18 +75,28 @@ export class View {
     this.arrow = new Arrow();
     this.scene.add(this.ribbon.mesh, this.balls, this.sticks, this.trace);
     this.patch = new WebGLRenderTarget(1, 1);
-    this.walkers = 1;
+    this.walkers = this.detail = this.ratio = 1;
     this.split = false;
     this.style = 'balls';
     this.showAllBars = false;
     this.showContacts = true;
+    this.quality = new Quality(this.renderer.getContext(), this.isSmooth ? 0 : 3, (level) => this.setLevel(level));
     this.stale = true;
+  }
+
+  /** As finely as a row of LEVELS says. */
+  setLevel({ratio, segments, sides, isRich}) {
+    this.ribbon.setDetail(segments, sides);
+    this.uniforms.rich.value = Number(isRich);
+    this.detail = ratio;
+    this.scale();
   }
 
   /** Draws another model: joints, bars, bonds, contacts, trace; `unit` as in the shaders. */
   open(model, positions) {
     this.model = model;
     this.split = false;
+    this.quality.reset();
     this.ribbon.open(model, positions);
     this.allocate(1);
     this.members.open(model, this.ribbon.runs, this.textures);
@@ -157,9 +159,15 @@ export class View {
 
   resize(width, height, ratio) {
     this.size = {width, height};
-    this.renderer.setPixelRatio(this.isSmooth ? ratio : 1);
-    this.renderer.setSize(width, height, false);
+    this.ratio = this.isSmooth ? ratio : 1;
+    this.scale();
     this.fit();
+  }
+
+  /** Pixels of the picture: fewer while something moves. */
+  scale() {
+    this.renderer.setPixelRatio(this.ratio * this.detail);
+    this.renderer.setSize(this.size.width, this.size.height, false);
   }
 
   /** The camera sees one of two panes, or the whole. */
@@ -190,6 +198,11 @@ export class View {
 
   draw() {
     this.stale = false;
+    this.paint();
+    this.quality.after(performance.now());
+  }
+
+  paint() {
     if (!this.model) return this.renderer.clear();
     this.setFog();
     if (this.split) return this.drawSplit();

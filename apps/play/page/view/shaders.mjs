@@ -34,12 +34,14 @@ uniform mat4 projectionMatrix;
 uniform vec3 background;
 uniform vec2 fog;        // distances from the eye at which it begins and ends
 uniform float picking;   // 1: write numbers, not colours
+uniform float rich;      // 1: with a glint
 layout(location = 0) out vec4 pixel;
 vec3 shade(vec3 colour, vec3 hit, vec3 normal) {
   vec3 eye = normalize(-hit);
   float facing = max(dot(normal, eye), 0.);
   float light = .38 + .62 * pow(max(dot(normal, normalize(vec3(-.35, .55, .8))) * .5 + .5, 0.), 1.4);
-  float glint = pow(max(dot(reflect(-normalize(vec3(-.35, .55, .8)), normal), eye), 0.), 28.) * .22;
+  float glint = 0.;
+  if (rich > .5) glint = pow(max(dot(reflect(-normalize(vec3(-.35, .55, .8)), normal), eye), 0.), 28.) * .22;
   vec3 lit = colour * light * mix(.5, 1., smoothstep(.0, .42, facing)) + glint;
   return mix(lit, background, .72 * smoothstep(fog.x, fog.y, -hit.z));
 }
