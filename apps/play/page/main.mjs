@@ -97,6 +97,7 @@ function loop(parts) {
     resolution.tick(now);
     stage.tick(now);
     plots.tick(now);
+    view.stale = view.quality.tick(now, view.stale) || view.stale;
     if (view.stale) view.draw();
     session.live?.tick(now);
     costs.push(performance.now() - began);

@@ -164,7 +164,9 @@ export class Stage extends EventTarget {
     if (!model) return;
     const mobility = this.colouring === 'mobility' ? this.fluctuation.each() : null;
     const style = STYLES[view.style];
-    const radius = style.ball ? (joint) => vanDerWaals(model.elements[joint]) : () => 1.7;
+    const single = style.ribbon ? 4 : 1.7;  // what no stick leads to is seen beside a cartoon
+    const radius = style.ball ? (joint) => vanDerWaals(model.elements[joint])
+      : (joint) => view.members.isAlone[joint] ? single : 1.7;
     const {look} = view.textures;
     const residuals = this.residuals ?? this.last?.broken;
     jointLook(model, this.colouring, {mobility, residuals}, radius, look.image.data);

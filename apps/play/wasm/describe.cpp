@@ -4,6 +4,7 @@
 #include <set>
 
 #include "document.hpp"
+#include "pliant/molecule/secondary_structure.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant::play {
@@ -92,6 +93,7 @@ void describe_atoms(const Document& document, Reply& reply) {
   reply.fields["atoms"] = atoms.names;
   reply.fields["chain"] = std::move(chains);
   reply.fields["residues"] = std::move(residues);
+  reply.fields["secondary"] = secondary_structure(atoms, document.positions);
   reply.add("elements", std::span<const std::uint8_t>(atoms.elements));
   reply.add("residue", std::span<const std::int32_t>(signed_of(atoms.residue_of)));
   reply.add("trace", std::span<const std::int32_t>(trace_of(document)));
@@ -117,8 +119,12 @@ void describe_bars(const Document& document, Reply& reply) {
 
 void describe_contacts(const Document& document, Reply& reply) {
   std::vector<std::uint8_t> kinds;
-  for (const MolecularContact& contact : document.contacts)
+  std::vector<double> limits;
+  for (const MolecularContact& contact : document.contacts) {
     kinds.push_back(static_cast<std::uint8_t>(contact.kind));
+    for (const double length : {contact.least, contact.distance, contact.most})
+      limits.push_back(length);
+  }
   Json names = Json::array(), colours = Json::array();
   for (const MolecularContactKindEntry& row : molecular_contact_kinds()) {
     names.push_back(row.name);
@@ -128,6 +134,7 @@ void describe_contacts(const Document& document, Reply& reply) {
   reply.fields["contactKindColours"] = std::move(colours);
   reply.add("contacts", std::span<const std::int32_t>(pairs_of(document.contacts)));
   reply.add("contactKinds", std::span<const std::uint8_t>(kinds));
+  reply.add("contactLimits", std::span<const double>(limits));
 }
 
 /// Techniques that do not fit the framework, with the reason.

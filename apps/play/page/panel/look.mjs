@@ -2,7 +2,7 @@
 // How it is drawn: style, colours, background, dark and light.
 import {$, element, fillSelect, units} from './dom.mjs';
 import {clusterColours, COLOURINGS, scaleColour} from '../view/colours.mjs';
-import {STYLES} from '../view/scene.mjs';
+import {STYLES, needsTrace} from '../view/styles.mjs';
 
 const GROUNDS = {light: '#f7f9fb', dark: '#10161c'};
 const LEGENDS = {
@@ -16,7 +16,7 @@ export class Look {
     this.ownGround = false;
     fillSelect($('style'), Object.entries(STYLES).map(([name, {title}]) => ({name, title})), 'balls');
     fillSelect($('colouring'), COLOURINGS, 'element');
-    $('style').onchange = () => this.setStyle($('style').value);
+    $('style').onchange = () => this.setStyle(this.ownStyle = $('style').value);
     $('colouring').onchange = () => this.setColouring($('colouring').value);
     $('background').oninput = () => this.setGround($('background').value);
     $('background-reset').onclick = () => this.resetGround();
@@ -32,14 +32,22 @@ export class Look {
   /** The trace of a protein is offered where there is one; large ones begin with it. */
   began(model) {
     const hasTrace = model.trace.length > 2;
-    for (const option of $('style').options)
-      option.disabled = STYLES[option.value].trace > 0 && !hasTrace;
-    if (!hasTrace && STYLES[this.view.style].trace > 0) this.setStyle('balls');
+    for (const option of $('style').options) option.disabled = needsTrace(option.value) && !hasTrace;
+    this.chooseStyle(model, hasTrace);
     const hasClusters = model.cluster.some((number) => number >= 0);
     this.allow('chain', new Set(model.chain).size > 1);
     this.allow('cluster', hasClusters);
     this.model = model;
     this.legend();
+  }
+
+  /** A cartoon where there is more than its line, unless a person has chosen another style. */
+  chooseStyle({joints, trace}, hasTrace) {
+    const hasMore = hasTrace && joints > 2 * trace.length;
+    const usual = hasMore ? 'cartoon' : 'balls';
+    const wanted = this.ownStyle ?? usual;
+    const style = needsTrace(wanted) && !hasTrace ? 'balls' : wanted;
+    if (style !== this.view.style) this.setStyle(style);
   }
 
   /** A colouring that has nothing to tell of this model cannot be chosen. */

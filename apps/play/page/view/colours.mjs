@@ -55,6 +55,28 @@ function byChain(model) {
   return (joint) => colours.get(model.chain[model.residue[joint]]) ?? FLEXIBLE;
 }
 
+/** Helices, strands and what is between; in side chains the carbon alone, the rest by element. */
+export const SHAPES = {
+  H: {title: 'Helix', colour: hex('#d55e00')}, E: {title: 'Strand', colour: hex('#0072b2')},
+  '-': {title: 'Coil', colour: hex('#c3c9cf')}, N: {title: 'Nucleic acid', colour: hex('#009e73')},
+};
+
+/** H, E or -; N of a nucleotide; nothing of the rest. */
+export function shapeLetters(model) {
+  const letters = [...model.secondary ?? ''];
+  model.atoms?.forEach((name, joint) => { if (name === "C4'") letters[model.residue[joint]] = 'N'; });
+  return letters;
+}
+
+function bySecondary(model) {
+  const letters = shapeLetters(model);
+  return (joint) => {
+    const shape = SHAPES[letters[model.residue[joint]]];
+    const isLine = model.elements[joint] === 6 || model.atoms?.[joint] === 'P';
+    return shape && isLine ? shape.colour : elementColour(model.elements[joint]);
+  };
+}
+
 /** From the start of a chain (dark) to its end (light), by residue, or by joint where none are. */
 function bySequence(model) {
   const most = Math.max(1, model.residue.length ? model.residue.at(-1) : 0);
@@ -77,6 +99,7 @@ function byMobility(model, {mobility}) {
 export const COLOURINGS = [
   {name: 'element', title: 'Element', of: byElement},
   {name: 'cluster', title: 'Rigid cluster', of: byCluster},
+  {name: 'secondary', title: 'Secondary structure', of: bySecondary},
   {name: 'chain', title: 'Chain', of: byChain},
   {name: 'sequence', title: 'Place in the chain', of: bySequence},
   {name: 'residual', title: 'Residual of its bars', of: byResidual, live: true},

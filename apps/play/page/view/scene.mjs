@@ -6,6 +6,10 @@ import {
 } from 'three';
 import {Arrow} from './arrow.mjs';
 import {Orbit} from './camera.mjs';
+import {Members} from './members.mjs';
+import {Quality, isSoftware} from './quality.mjs';
+import {Ribbon} from './ribbon.mjs';
+import {STYLES} from './styles.mjs';
 import {Textures, WIDTH} from './textures.mjs';
 import {
   ballFragment, ballVertex, stickFragment, stickVertex, traceVertex,
@@ -13,17 +17,10 @@ import {
 
 ColorManagement.enabled = false;  // the shaders write the colours of the screen
 
+const NO_PART = {members: {value: null}, memberCount: {value: 0}};  // all are drawn
 const rgb = (text) => new Vector3(...[1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255));
 
-/** Ball and stick sizes of the styles; radii of sticks in Angstrom. */
-export const STYLES = {
-  balls: {title: 'Ball and stick', ball: 0.24, stick: 0.13, trace: 0},
-  sticks: {title: 'Sticks', ball: 0, stick: 0.17, trace: 0},
-  lines: {title: 'Lines', ball: 0, stick: 0.05, trace: 0},
-  spheres: {title: 'Spheres', ball: 1, stick: 0, trace: 0},
-  trace: {title: 'Trace', ball: 0, stick: 0.0, trace: 0.55},
-  'trace-lines': {title: 'Trace and lines', ball: 0, stick: 0.06, trace: 0.4},
-};
+export {STYLES};
 
 const COLOURS = {
   hoverColour: '#ffd23f', nearColour: '#56b4e9', farColour: '#e69f00', pinColour: '#222831',
@@ -35,7 +32,7 @@ function uniformsOf() {
   const values = {
     positions: null, look: null, marks: null, bars: null, controls: null, strain: null,
     width: WIDTH, joints: 1, firstWalker: 0, barCount: 1, pieceCount: 1, ballScale: 0.24, unit: 1,
-    stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0,
+    stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0, rich: 1,
     kindRadius: new Vector4(1, 0, 0.45, 0), lit: new Vector3(-1, -1, -1),
     background: new Vector3(1, 1, 1), fog: new Vector2(10, 100),
   };
@@ -51,22 +48,14 @@ function instanced(geometry) {
   return made;
 }
 
-function layer(shape, uniforms, vertexShader, fragmentShader, smooth) {
+function layer(shape, shared, vertexShader, fragmentShader, smooth, part = NO_PART) {
+  const uniforms = {...shared, ...part};
   const material = new RawShaderMaterial({
     glslVersion: GLSL3, uniforms, vertexShader, fragmentShader, alphaToCoverage: smooth,
   });
   const mesh = new Mesh(instanced(shape), material);
   mesh.frustumCulled = false;
   return mesh;
-}
-
-/** Whether the browser draws without a graphics processor: then with fewer samples. */
-function isSoftware() {
-  const gl = document.createElement('canvas').getContext('webgl2');
-  const facts = gl?.getExtension('WEBGL_debug_renderer_info');
-  const name = facts ? gl.getParameter(facts.UNMASKED_RENDERER_WEBGL) : '';
-  gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 export class View {
@@ -77,26 +66,40 @@ export class View {
     this.orbit = new Orbit();
     this.uniforms = uniformsOf();
     this.scene = new Scene();
-    this.balls = layer(new PlaneGeometry(2, 2), this.uniforms, ballVertex, ballFragment, this.isSmooth);
+    this.members = new Members();
+    this.ribbon = new Ribbon(this.uniforms);
+    this.balls = layer(new PlaneGeometry(2, 2), this.uniforms, ballVertex, ballFragment, this.isSmooth, this.members.joints);
     const box = new BoxGeometry(2, 2, 2);
-    this.sticks = layer(box, this.uniforms, stickVertex, stickFragment, false);
+    this.sticks = layer(box, this.uniforms, stickVertex, stickFragment, false, this.members.sticks);
     this.trace = layer(box, this.uniforms, traceVertex, stickFragment, false);
     this.arrow = new Arrow();
-    this.scene.add(this.balls, this.sticks, this.trace);
+    this.scene.add(this.ribbon.mesh, this.balls, this.sticks, this.trace);
     this.patch = new WebGLRenderTarget(1, 1);
-    this.walkers = 1;
+    this.walkers = this.detail = this.ratio = 1;
     this.split = false;
     this.style = 'balls';
     this.showAllBars = false;
     this.showContacts = true;
+    this.quality = new Quality(this.renderer.getContext(), this.isSmooth ? 0 : 3, (level) => this.setLevel(level));
     this.stale = true;
+  }
+
+  /** As finely as a row of LEVELS says. */
+  setLevel({ratio, segments, sides, isRich}) {
+    this.ribbon.setDetail(segments, sides);
+    this.uniforms.rich.value = Number(isRich);
+    this.detail = ratio;
+    this.scale();
   }
 
   /** Draws another model: joints, bars, bonds, contacts, trace; `unit` as in the shaders. */
   open(model, positions) {
     this.model = model;
     this.split = false;
+    this.quality.reset();
+    this.ribbon.open(model, positions);
     this.allocate(1);
+    this.members.open(model, this.ribbon.runs, this.textures);
     this.textures.setPositions(positions);
     this.uniforms.unit.value = this.unit = unitOf(model, positions);
     this.orbit.frame(positions, this.unit);
@@ -156,9 +159,15 @@ export class View {
 
   resize(width, height, ratio) {
     this.size = {width, height};
-    this.renderer.setPixelRatio(this.isSmooth ? ratio : 1);
-    this.renderer.setSize(width, height, false);
+    this.ratio = this.isSmooth ? ratio : 1;
+    this.scale();
     this.fit();
+  }
+
+  /** Pixels of the picture: fewer while something moves. */
+  scale() {
+    this.renderer.setPixelRatio(this.ratio * this.detail);
+    this.renderer.setSize(this.size.width, this.size.height, false);
   }
 
   /** The camera sees one of two panes, or the whole. */
@@ -170,9 +179,12 @@ export class View {
 
   count(walkers) {
     const style = STYLES[this.style];
-    const {model, textures, balls, sticks, trace} = this;
-    balls.geometry.instanceCount = this.style === 'trace' ? 0 : model.joints * walkers;
-    sticks.geometry.instanceCount = textures.stickCount * walkers;
+    const {model, textures, balls, sticks, trace, ribbon, members, uniforms} = this;
+    if (style.isPart) members.choose(textures, uniforms.lit.value.x, uniforms.litBar.value);
+    else members.all();
+    ribbon.show(style.ribbon ? walkers : 0);
+    balls.geometry.instanceCount = this.style === 'trace' ? 0 : members.jointsOf(model.joints) * walkers;
+    sticks.geometry.instanceCount = members.sticksOf(textures.stickCount) * walkers;
     trace.geometry.instanceCount = style.trace ? 5 * textures.pieceCount * walkers : 0;
     trace.visible = trace.geometry.instanceCount > 0;
     balls.visible = balls.geometry.instanceCount > 0;
@@ -186,6 +198,11 @@ export class View {
 
   draw() {
     this.stale = false;
+    this.paint();
+    this.quality.after(performance.now());
+  }
+
+  paint() {
     if (!this.model) return this.renderer.clear();
     this.setFog();
     if (this.split) return this.drawSplit();

@@ -3,7 +3,7 @@
 // with the exact sphere or capsule (ray-traced impostors: Sigg, Botsch & Gross, SPBG 2006). Nothing
 // but textures is read: one holds the positions of all walkers, so that a frame is one upload.
 
-const shared = /* glsl */`
+export const shared = /* glsl */`
 precision highp float;
 precision highp int;
 precision highp isampler2D;
@@ -14,35 +14,47 @@ uniform highp sampler2D look;       // colour of a joint, radius / 4 Angstrom
 uniform highp sampler2D marks;      // r: pinned, g: how lately the repair passed here
 uniform int width, joints, firstWalker;
 uniform float ballScale, unit;      // unit: length of a usual bar / 1.5 Angstrom
+uniform isampler2D members;         // numbers of those that are drawn, where not all are
+uniform int memberCount;            // 0: all
 ivec2 texel(int i) { return ivec2(i % width, i / width); }
 vec3 place(int walker, int joint) {
   return (viewMatrix * vec4(texelFetch(positions, texel(walker * joints + joint), 0).xyz, 1.)).xyz;
 }
+ivec2 member(int instance, int all) {  // number and walker
+  if (memberCount == 0) return ivec2(instance % all, instance / all);
+  return ivec2(texelFetch(members, texel(instance % memberCount), 0).x, instance / memberCount);
+}
 float ballRadius(int joint) { return texelFetch(look, texel(joint), 0).a * 4. * ballScale * unit; }
 `;
 
-const shading = /* glsl */`
+export const shading = /* glsl */`
 precision highp float;
 precision highp int;
 uniform mat4 projectionMatrix;
 uniform vec3 background;
 uniform vec2 fog;        // distances from the eye at which it begins and ends
 uniform float picking;   // 1: write numbers, not colours
+uniform float rich;      // 1: with a glint
 layout(location = 0) out vec4 pixel;
-void depthOf(vec3 hit) {
-  vec4 clip = projectionMatrix * vec4(hit, 1.);
-  gl_FragDepth = .5 * clip.z / clip.w + .5;
-}
 vec3 shade(vec3 colour, vec3 hit, vec3 normal) {
   vec3 eye = normalize(-hit);
   float facing = max(dot(normal, eye), 0.);
   float light = .38 + .62 * pow(max(dot(normal, normalize(vec3(-.35, .55, .8))) * .5 + .5, 0.), 1.4);
-  float glint = pow(max(dot(reflect(-normalize(vec3(-.35, .55, .8)), normal), eye), 0.), 28.) * .22;
+  float glint = 0.;
+  if (rich > .5) glint = pow(max(dot(reflect(-normalize(vec3(-.35, .55, .8)), normal), eye), 0.), 28.) * .22;
   vec3 lit = colour * light * mix(.5, 1., smoothstep(.0, .42, facing)) + glint;
   return mix(lit, background, .72 * smoothstep(fog.x, fog.y, -hit.z));
 }
 vec4 number(int i) {
   return vec4(float(i & 255), float((i >> 8) & 255), float((i >> 16) & 255), 255.) / 255.;
+}
+`;
+
+/** Of what is cut by the ray, not drawn as triangles. */
+const ownDepth = /* glsl */`
+void depthOf(vec3 hit) {
+  vec4 clip = projectionMatrix * vec4(hit, 1.);
+  gl_FragDepth = .5 * clip.z / clip.w + .5;
 }
 `;
 
@@ -54,8 +66,9 @@ flat out float radius;
 flat out int joint, ring;
 out vec3 onQuad;
 void main() {
-  joint = gl_InstanceID % joints;
-  int walker = gl_InstanceID / joints;
+  ivec2 which = member(gl_InstanceID, joints);
+  joint = which.x;
+  int walker = which.y;
   centre = place(walker + firstWalker, joint);
   colour = texelFetch(look, texel(joint), 0).rgb;
   radius = ballRadius(joint);
@@ -77,7 +90,7 @@ void main() {
   gl_Position = projectionMatrix * vec4(onQuad, 1.);
 }`;
 
-export const ballFragment = shading + /* glsl */`
+export const ballFragment = shading + ownDepth + /* glsl */`
 uniform vec3 pinColour;
 flat in vec3 centre, colour;
 flat in float radius;
@@ -127,8 +140,9 @@ float shownStrain(float s) {           // 0 at 1e-4 of the length, 1 at a tenth 
   return clamp((log(abs(s) * residualScale + 1e-9) / log(10.) + 4.) / 3., 0., 1.);
 }
 void main() {
-  bar = gl_InstanceID % barCount;
-  int walker = gl_InstanceID / barCount;
+  ivec2 which = member(gl_InstanceID, barCount);
+  bar = which.x;
+  int walker = which.y;
   ivec4 b = texelFetch(bars, texel(bar), 0);
   from = place(walker + firstWalker, b.x);
   to = place(walker + firstWalker, b.y);
@@ -175,7 +189,7 @@ void main() {
   box();
 }`;
 
-export const stickFragment = shading + /* glsl */`
+export const stickFragment = shading + ownDepth + /* glsl */`
 uniform int joints;
 flat in vec3 from, to, colourFrom, colourTo;
 flat in float radius, dashes;

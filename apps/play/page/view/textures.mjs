@@ -17,7 +17,7 @@ function texture(Numbers, count, channels, format, type, internal) {
 }
 
 const floats = (count) => texture(Float32Array, count, 4, RGBAFormat, FloatType, 'RGBA32F');
-const numbers = (count) => texture(Int32Array, count, 4, RGBAIntegerFormat, IntType, 'RGBA32I');
+export const numbers = (count) => texture(Int32Array, count, 4, RGBAIntegerFormat, IntType, 'RGBA32I');
 
 /** Kinds of sticks: bonds, other bars, contacts. */
 export const BOND = 0;
