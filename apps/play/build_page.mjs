@@ -69,10 +69,10 @@ function wasmBytes() {
   return Buffer.alloc(0);
 }
 
-// The molecules and mechanisms of data/, as files by their names.
+// The proteins, molecules and mechanisms of data/, as files by their names.
 function examples() {
   const rows = [];
-  for (const kind of ['molecules', 'mechanisms'])
+  for (const kind of ['proteins', 'molecules', 'mechanisms'])
     for (const name of readdirSync(join(root, 'data', kind)).sort())
       rows.push({kind, name, text: readFileSync(join(root, 'data', kind, name), 'utf8')});
   return Buffer.from(JSON.stringify(rows));

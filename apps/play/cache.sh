@@ -10,7 +10,7 @@ readonly tested_page=build/tested_page # where ./dev test puts it
 # headers. Of src what WebAssembly leaves out is left out (src/pliant/CMakeLists.txt).
 page_key() {
   {
-    find CMakeLists.txt LICENSE src apps/play data/molecules data/mechanisms -type f \
+    find CMakeLists.txt LICENSE src apps/play data/proteins data/molecules data/mechanisms -type f \
       ! -name '*.md' ! -path 'apps/play/test/*' ! -path 'src/pliant/stream/*' \
       ! -path 'src/pliant/laboratory/*' ! -path 'src/pliant/resume/*' ! -path 'src/pliant/record/h*.cpp' -print0 |
       LC_ALL=C sort -z | xargs -0 sha256sum

@@ -2,7 +2,9 @@
 // The page: makes its parts and lets them hear of each other.
 import {Hand} from './hand.mjs';
 import {Compare} from './panel/compare.mjs';
-import {$, guarded, say} from './panel/dom.mjs';
+import {Demo} from './panel/demo.mjs';
+import {$, fold, guarded, say} from './panel/dom.mjs';
+import {Hint} from './panel/hint.mjs';
 import {Keys} from './panel/keys.mjs';
 import {Look} from './panel/look.mjs';
 import {Open} from './panel/open.mjs';
@@ -12,6 +14,7 @@ import {Readout} from './panel/readout.mjs';
 import {Resolution} from './panel/resolution.mjs';
 import {Resolve} from './panel/resolve.mjs';
 import {Transport} from './panel/transport.mjs';
+import {Tour} from './panel/tour.mjs';
 import {Wander} from './panel/wander.mjs';
 import {textInside} from './inside.mjs';
 import {Host} from './host.mjs';
@@ -20,7 +23,8 @@ import {Session} from './session.mjs';
 import {Stage} from './stage.mjs';
 import {View} from './view/scene.mjs';
 
-const FIRST = 'caffeine.sdf';  // opened where nothing was given
+const FIRST = 'three_helices.pdb';  // opened where nothing was given
+const WAY = [0, 1];  // of the hand of the start scene, on the screen
 
 function makeView() {
   try {
@@ -47,6 +51,9 @@ function makeParts() {
   parts.resolution = new Resolution(stage, session, view, hand);
   parts.plots = new Plots(stage);
   parts.keys = new Keys(parts);
+  parts.hint = new Hint(session, stage);
+  parts.demo = new Demo(parts);
+  parts.tour = new Tour(parts);
   return parts;
 }
 
@@ -64,6 +71,7 @@ function wire({view, session, stage, hand}) {
   for (const id of ['hand', 'vector-x', 'vector-y', 'vector-z']) $(id).onchange = () => chooseHand(hand);
   $('pins-clear').onclick = () => session.clearPins();
   $('message-close').onclick = () => say('');
+  $('message-more').onclick = () => fold($('message-more').getAttribute('aria-expanded') === 'true');
   $('side-toggle').onclick = () => {
     const isWide = document.body.classList.toggle('wide');
     $('side-toggle').setAttribute('aria-pressed', !isWide);
@@ -88,9 +96,10 @@ function watchSize(view) {
 const costs = [];
 
 function loop(parts) {
-  const {view, session, stage, hand, transport, resolution, wander, plots} = parts;
+  const {view, session, stage, hand, transport, resolution, wander, plots, demo} = parts;
   const frame = (now) => {
     const began = performance.now();
+    demo.tick(now);
     hand.frame();
     wander.tick();
     transport.tick(now);
@@ -120,6 +129,14 @@ async function given(parts) {
   return true;
 }
 
+/** The start scene: the end of the third helix is swung out and back. */
+async function first({open, session, stage, demo}, told) {
+  await open.openExample(FIRST, 'protein');
+  await session.change({technique: 'froda'});
+  if (told) say(told);
+  demo.start(stage.sites.at(-1), WAY);
+}
+
 async function begin() {
   const parts = makeParts();
   wire(parts);
@@ -131,10 +148,8 @@ async function begin() {
   $('title').textContent = 'Open a file, drop one here, or choose an example';
   const hasFile = await guarded(() => given(parts));
   const told = $('message-text').textContent;
-  if (!hasFile) {
-    await parts.open.openExample(FIRST);
-    if (told) say(told);
-  }
+  if (hasFile) parts.demo.stop();
+  else await first(parts, told);
   return {...parts, costs, facts};
 }
 

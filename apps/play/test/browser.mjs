@@ -41,9 +41,12 @@ export function sharedPage() {
   return shared ??= openPage({viewport: SMALL});
 }
 
-/** A tab at an address, with what it asked the network for and what it complained about. */
+/** A tab at an address, with what it asked the network for and what it complained about. With less
+ * motion the page begins without its start scene. */
 export async function openTab(address, {viewport = WIDE, theme = 'light', wait = 3 * WAIT, ...more} = {}) {
-  const context = await (await launch()).newContext({viewport, colorScheme: theme, acceptDownloads: true, ...more});
+  const context = await (await launch()).newContext({
+    viewport, colorScheme: theme, acceptDownloads: true, reducedMotion: 'reduce', ...more,
+  });
   context.setDefaultTimeout(wait);
   const page = await context.newPage();
   page.requests = [];

@@ -27,11 +27,24 @@ export function shortNumber(value) {
 const units = (count, one, many = `${one}s`) => `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
 export {units};
 
-/** Tells what went wrong, or what is to be known, above the picture. */
+const SHORT = 90;  // letters of a note that stands in one line
+
+/** Tells what went wrong, or what is to be known, in a row of its own above the picture. Long notes
+ * are folded, what went wrong never is. */
 export function say(text, isNote = false) {
+  const notes = text.split('\n').length;
   $('message-text').textContent = text;
   $('message').classList.toggle('note-only', isNote);
   $('message').hidden = !text;
+  $('message-more').hidden = !isNote || (notes < 2 && text.length <= SHORT);
+  $('message-more').textContent = units(notes, 'note');
+  fold(!$('message-more').hidden);
+}
+
+/** Shows the first line of a note, or all of it. */
+export function fold(isFolded) {
+  $('message').classList.toggle('folded', isFolded);
+  $('message-more').setAttribute('aria-expanded', !isFolded);
 }
 
 /** Runs what may fail; the error goes to the user. */

@@ -3,7 +3,7 @@
 import {$, element, guarded, say} from './dom.mjs';
 import {isHdf5, readH5md} from '../record/hdf5.mjs';
 
-const KINDS = {molecules: 'Molecules', mechanisms: 'Mechanisms', graph: 'Graphs of the tests and the thesis'};
+const KINDS = {proteins: 'Proteins', molecules: 'Molecules', mechanisms: 'Mechanisms', graph: 'Graphs of the tests and the thesis'};
 const DULL = /no_joints|one_joint|one_bar|two_joints|coincident/;  // nothing to be seen or pulled
 
 const titleOf = (name) => {
@@ -122,10 +122,10 @@ export class Open {
     return guarded(() => this.openExample(name));
   }
 
-  openExample(name) {
+  openExample(name, model = 'auto') {
     const text = this.files.get(name);
     if (text === undefined) return this.waiting(name, () => this.session.openExample(name));
-    return this.openBytes(name, new TextEncoder().encode(text), 'auto');
+    return this.openBytes(name, new TextEncoder().encode(text), model);
   }
 
   generated() {

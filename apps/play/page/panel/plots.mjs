@@ -14,10 +14,10 @@ const PLOTS = [
 
 function build({id, title}) {
   const figure = element('figure');
-  const caption = element('figcaption', title);
+  const caption = element('figcaption');
   const value = element('b', '', {id: `plot-${id}-value`});
   const canvas = element('canvas', '', {id: `plot-${id}`, role: 'img', 'aria-label': title});
-  caption.append(value);
+  caption.append(element('span', title, {title}), value);
   figure.append(caption, canvas);
   return {figure, canvas, value};
 }
@@ -31,7 +31,7 @@ function thinned(values) {
 }
 
 function prepared(canvas) {
-  const ratio = Math.min(devicePixelRatio || 1, 2);
+  const ratio = Math.min((devicePixelRatio || 1) * (canvas.currentCSSZoom ?? 1), 3);
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
   if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
   if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
@@ -145,7 +145,7 @@ export class Plots {
     draw(part.canvas, values, part, mark);
     const last = part.bars ? values.reduce((a, b) => Math.max(a, b), 0) : values.at(-1);
     const text = values.length ? shortNumber(last) : '';
-    part.value.textContent = part.bars && text ? `most ${text}` : text;
+    part.value.textContent = part.bars && text ? `max ${text}` : text;
     part.canvas.setAttribute('aria-label', `${part.title}: ${part.value.textContent || 'nothing yet'}`);
   }
 }

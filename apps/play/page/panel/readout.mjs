@@ -3,6 +3,10 @@
 import {showRates} from '../live.mjs';
 import {$, element, shortNumber, units} from './dom.mjs';
 
+const LONGEST = 160;  // letters of a title that a file may give itself
+
+const shortened = (text = '') => text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text;
+
 function verdict(step) {
   if (step.converged === false) return ['Not converged', 'bad'];
   return ['All bars whole', 'good'];
@@ -21,9 +25,10 @@ export class Readout {
     const facts = [units(model.joints, 'joint'), units(model.bars.length / 2, 'bar')];
     if (model.contacts.length) facts.push(units(model.contacts.length / 2, 'contact'));
     if (model.rigidClusters) facts.push(units(model.rigidClusters, 'rigid cluster'));
-    $('title').replaceChildren(element('b', model.title || 'No title'), ` · ${facts.join(', ')}`);
-    $('title').title = model.title;
-    document.title = `${model.title || 'Pliant'} – Pliant play`;
+    const name = this.session.fileName || model.title || 'No name';
+    $('title').replaceChildren(element('b', name), ` · ${facts.join(', ')}`);
+    $('title').title = shortened(model.title);
+    document.title = `${name} – Pliant play`;
     this.pins();
     this.refresh();
   }
