@@ -3,6 +3,7 @@
 import {Hand} from './hand.mjs';
 import {Compare} from './panel/compare.mjs';
 import {$, guarded, say} from './panel/dom.mjs';
+import {Ensemble} from './panel/ensemble.mjs';
 import {Keys} from './panel/keys.mjs';
 import {Look} from './panel/look.mjs';
 import {Open} from './panel/open.mjs';
@@ -44,6 +45,7 @@ function makeParts() {
   parts.compare = new Compare(stage, session, view);
   parts.wander = new Wander(stage, session, view);
   parts.path = new Path(stage, session);
+  parts.ensemble = new Ensemble(parts);
   parts.resolution = new Resolution(stage, session, view, hand);
   parts.plots = new Plots(stage);
   parts.keys = new Keys(parts);

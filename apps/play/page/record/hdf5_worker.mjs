@@ -2,6 +2,7 @@
 // H5MD (de Buyl, Colberg & Hoefling, Comput. Phys. Commun. 185 (2014) 1546) written and read by
 // h5wasm, in a worker of its own that is made when first asked for.
 import {File, ready} from 'h5wasm';
+import {ensembleFields} from './ensemble_fields.mjs';
 
 const CREATOR = 'pliant';
 const POSITION = 'particles/trajectory/position';
@@ -216,6 +217,7 @@ function readFile(file) {
     rest: Float64Array.from(list('parameters/framework/rest_length')),
     sweeps: list('observables/sweeps/value'), residual: list('observables/max_residual/value'),
     projections: list('observables/projections/value'),
+    ...ensembleFields((path) => numbers(file, path)),
     names: [...(numbers(file, 'parameters/topology/label') ?? numbers(file, 'parameters/topology/atom_name') ?? [])],
   };
 }
