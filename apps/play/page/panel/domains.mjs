@@ -17,7 +17,7 @@ export function turnWords({angle, shift, hinges}) {
 export class Domains {
   constructor(stage, view, look) {
     Object.assign(this, {stage, view, look});
-    this.hinges = new Hinges(view);
+    this.hinges = new Hinges(view, $('stage'));
     this.count = 0;
     $('ensemble-axes').onchange = () => {
       this.hinges.isShown = $('ensemble-axes').checked;
@@ -86,7 +86,7 @@ export class Domains {
     const rows = turns.filter(({from}) => indexOf(from) >= 0).map((turn) => {
       const from = frames.at(indexOf(turn.from)).positions;
       const joints = domain.flatMap((number, joint) => (number === turn.domain ? [joint] : []));
-      return {from, ends: endsOf(turn, joints, from), colour: domainColour(turn.domain)};
+      return {from, ends: endsOf(turn, joints, from), colour: domainColour(turn.domain), words: `${Math.round(turn.angle)}°`};
     });
     this.hinges.set(rows, core);
   }

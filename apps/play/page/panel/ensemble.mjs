@@ -7,6 +7,7 @@ import {Fluctuation} from '../record/superpose.mjs';
 import {Domains} from './domains.mjs';
 import {$, guarded, units} from './dom.mjs';
 import {Shapes} from './shapes.mjs';
+import {STYLES} from '../view/scene.mjs';
 
 const LEAST = 4;  // frames; fewer are shown one by one
 const LACKS = 'pliant play FILE finds domains and shapes, too, which the page alone does not.';
@@ -16,8 +17,8 @@ const stemOf = (name) => name.replace(/\.(h5md|h5)$/i, '');
 const isEnsemble = ({sampler, isPath}) => Boolean(sampler) && sampler !== 'walk' && !isPath;
 
 export class Ensemble {
-  constructor({session, stage, look, hand, transport, view}) {
-    Object.assign(this, {session, stage, look, hand, transport});
+  constructor({session, stage, look, transport, view}) {
+    Object.assign(this, {session, stage, look, view, transport});
     this.domains = new Domains(stage, view, look);
     this.shapes = new Shapes(stage, view, (index) => this.show(index));
     $('ensemble-order').onchange = () => this.order($('ensemble-order').value);
@@ -87,8 +88,15 @@ export class Ensemble {
     stage.fluctuation = of.fluctuation;
     this.domains.open(of.found, (number) => this.indexOf(number), (index) => this.show(index));
     if (!this.domains.count && stage.colouring === 'element') this.look.setColouring('mobility');
+    this.drawChain();
     stage.look();
     this.order(of.films ? 'along' : 'file');
+  }
+
+  /** Of many atoms that all move the chain alone is followed by the eye. */
+  drawChain() {
+    const {model} = this.stage;
+    if (this.view.style === 'balls' && model.trace.length > 2) this.look.setStyle(STYLES.cartoon ? 'cartoon' : 'trace');
   }
 
   indexOf(number) {

@@ -24,7 +24,10 @@ function shaftOf(colour) {
     head: new Mesh(new ConeGeometry(1, 1, 20).translate(0, 0.5, 0), paint),
     grown: k ? 1 : 1.5,
   }));
-  for (const {shaft, head} of parts) group.add(shaft, head);
+  parts.flatMap(({shaft, head}) => [shaft, head]).forEach((mesh, k) => {
+    mesh.renderOrder = k;  // the edge first
+    group.add(mesh);
+  });
   return {group, parts};
 }
 
@@ -39,21 +42,31 @@ export function endsOf({point, axis}, joints, positions) {
 }
 
 export class Hinges {
-  constructor(view) {
-    this.view = view;
+  /** `place`: the element over which the picture is, for words beside the axes. */
+  constructor(view, place) {
+    Object.assign(this, {view, place});
     this.scene = new Scene();
     this.rows = [];
     this.isShown = true;
     view.overlays.push(this);
   }
 
-  /** Axes {ends, colour} that lie right in the frame `from`, a list of positions for each of them;
+  /** Axes {ends, colour, words} that lie right in the frame `from`, a list of positions for each of them;
    * `core`: joints of the domain that they go along with. */
   set(rows, core) {
     this.scene.clear();
     this.core = core;
-    this.rows = rows.map((row) => ({...row, ...shaftOf(row.colour)}));
+    for (const {label} of this.rows) label.remove();
+    this.rows = rows.map((row) => ({...row, ...shaftOf(row.colour), label: this.labelOf(row)}));
     for (const {group} of this.rows) this.scene.add(group);
+  }
+
+  labelOf({words}) {
+    const made = document.createElement('span');
+    made.className = 'ensemble-angle';
+    made.textContent = words;
+    this.place.append(made);
+    return made;
   }
 
   /** Where the axes are in a frame. */
@@ -61,11 +74,11 @@ export class Hinges {
     for (const row of this.rows) {
       const {rotation, centres: [from, to]} = superpose(row.from, positions, this.core);
       row.now = row.ends.map((end) => turned(rotation, less(end, from)).map((x, c) => x + to[c]));
-      this.place(row);
+      this.lay(row);
     }
   }
 
-  place({group, parts, now: [start, end]}) {
+  lay({group, parts, now: [start, end]}) {
     const way = new Vector3(...less(end, start));
     const length = way.length();
     group.position.set(...start);
@@ -79,8 +92,16 @@ export class Hinges {
     }
   }
 
+  write({label, now}, isSeen) {
+    label.hidden = !isSeen;
+    const {x, y} = this.view.orbit.project(now[1]);
+    label.style.transform = `translate(${Math.round(x + 8)}px, ${Math.round(y - 20)}px)`;
+  }
+
   draw(renderer, camera) {
-    if (!this.isShown || !this.rows.length || this.view.split) return;
+    const isSeen = this.isShown && !this.view.split;
+    for (const row of this.rows) this.write(row, isSeen);
+    if (!isSeen || !this.rows.length) return;
     renderer.autoClear = false;
     renderer.render(this.scene, camera);
     renderer.autoClear = true;
