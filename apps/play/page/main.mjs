@@ -4,6 +4,7 @@ import {Hand} from './hand.mjs';
 import {Compare} from './panel/compare.mjs';
 import {Demo} from './panel/demo.mjs';
 import {$, fold, guarded, say} from './panel/dom.mjs';
+import {Ensemble} from './panel/ensemble.mjs';
 import {Hint} from './panel/hint.mjs';
 import {Keys} from './panel/keys.mjs';
 import {Look} from './panel/look.mjs';
@@ -48,6 +49,7 @@ function makeParts() {
   parts.compare = new Compare(stage, session, view);
   parts.wander = new Wander(stage, session, view);
   parts.path = new Path(stage, session);
+  parts.ensemble = new Ensemble(parts);
   parts.resolution = new Resolution(stage, session, view, hand);
   parts.plots = new Plots(stage);
   parts.keys = new Keys(parts);

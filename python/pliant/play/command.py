@@ -7,6 +7,7 @@ import argparse
 import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from pliant import console
 from pliant._core import OptionError
@@ -20,6 +21,10 @@ The page is a single file with the solver inside, as WebAssembly. It never uses 
 what you open does not leave your machine. FILE is handed to the browser once, from a secret
 address on this machine (127.0.0.1); the command keeps running until Ctrl-C. Without FILE the page
 is opened as a file, and you can drop files on it.
+
+An ensemble (pliant sample, pliant ensemble) or a path in H5MD is shown moving, with its domains,
+the axes about which they turn, and small pictures of its shapes; pull on from any frame. Of an
+ensemble of more than 96 MB some frames are taken evenly, and the page says how many.
 
 In the page: drag an atom to pull it, drag the background to rotate the view; "?" explains the
 rest.
@@ -36,6 +41,7 @@ examples:
   pliant play
   pliant play protein.pdb
   pliant play caffeine.sdf --no-open
+  pliant play ensemble.h5md
   pliant run protein.pdb --steps 1000000 --imd &
   pliant play --connect localhost:8888 protein.pdb
 """
@@ -53,6 +59,8 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     text = "PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it"
     add("file", metavar="FILE", nargs="?", help=text)
+    text = "the start of an ensemble, where FILE is one and\nits start is not beside it"
+    add("structure", metavar="STRUCTURE", nargs="?", help=text)
     add(
         "--connect",
         metavar="HOST:PORT",
@@ -78,11 +86,27 @@ def _play(arguments: argparse.Namespace) -> int:
         return console.EXIT_OK
     given, bare = Path(arguments.file), file.read_bytes()
     name = console.printable(given.name)
-    full = page.with_file(bare, name, page.read_given(given))
+    data, facts = _read(given, arguments.structure)
+    full = page.with_file(bare, name, data, **facts)
     with PageServer(full, page.without_file(bare, name)) as server:
         _show(server.address, arguments.no_open)
         _serve(server)
     return console.EXIT_OK
+
+
+def _read(given: Path, structure: str | None) -> tuple[bytes, dict[str, Any]]:
+    """The file, and what else a page is told of it: domains and shapes of many frames."""
+    from pliant.play.ensemble.many_frames import is_many_frames
+
+    if not is_many_frames(given):
+        if structure is not None:
+            raise OptionError("STRUCTURE: goes with an ensemble in H5MD, which FILE is not")
+        return page.read_given(given), {}
+    from pliant.play.ensemble.facts import ensemble_for_page
+
+    console.note("looking for domains and shapes in the frames")
+    found = ensemble_for_page(given, None if structure is None else Path(structure))
+    return found.data, {"known": {"ensemble": found.facts}}
 
 
 def _connect(arguments: argparse.Namespace) -> int:

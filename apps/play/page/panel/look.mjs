@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How it is drawn: style, colours, background, dark and light.
 import {$, element, fillSelect, units} from './dom.mjs';
-import {clusterColours, COLOURINGS, scaleColour} from '../view/colours.mjs';
+import {clusterColours, COLOURINGS, domainColour, scaleColour} from '../view/colours.mjs';
 import {STYLES, needsTrace} from '../view/styles.mjs';
 
 const GROUNDS = {light: '#f7f9fb', dark: '#10161c'};
 const LEGENDS = {
   residual: ['10⁻⁴', '10⁻¹ of the length'], mobility: ['still', 'most mobile'],
-  sequence: ['first', 'last'],
+  sequence: ['first', 'last'], domain: ['the largest domain', 'the smallest'],
 };
 
 export class Look {
@@ -37,6 +37,7 @@ export class Look {
     const hasClusters = model.cluster.some((number) => number >= 0);
     this.allow('chain', new Set(model.chain).size > 1);
     this.allow('cluster', hasClusters);
+    this.allow('domain', Boolean(model.domain));
     this.model = model;
     this.legend();
   }
@@ -101,7 +102,8 @@ export class Look {
     const isCluster = this.stage.colouring === 'cluster' && this.model;
     const words = isCluster ? clusterWords(this.model) : LEGENDS[this.stage.colouring] ?? ['', ''];
     [$('legend-low').textContent, $('legend-high').textContent] = words;
-    const colours = isCluster ? clusterColours(this.model) : null;
+    const isDomain = this.stage.colouring === 'domain' && this.model?.domain;
+    const colours = isCluster ? clusterColours(this.model) : isDomain ? [0, 1, 2, 3].map(domainColour).slice(0, this.model.domains) : null;
     const pen = $('legend-bar').getContext('2d');
     pen.clearRect(0, 0, 90, 8);
     for (let x = 0; x < 90; ++x) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is opened: a file by choosing or dropping, an example, a random graph, a trajectory.
 import {$, element, guarded, say} from './dom.mjs';
+import {openFrame} from '../record/ensemble_model.mjs';
 import {isHdf5, readH5md} from '../record/hdf5.mjs';
 
 const KINDS = {proteins: 'Proteins', molecules: 'Molecules', mechanisms: 'Mechanisms', graph: 'Graphs of the tests and the thesis'};
@@ -98,19 +99,23 @@ export class Open {
 
   async openBytes(name, bytes, model = $('model').value || 'auto', known = {}) {
     say('');
-    if (isHdf5(bytes)) return this.openTrajectory(name, bytes);
+    if (isHdf5(bytes)) return this.openTrajectory(name, bytes, known.ensemble);
     if (isForceFile(bytes))
       throw new Error(`${name} is a force file. The command repeats it on its molecule: pliant run FILE --forces ${name}`);
     return this.waiting(name, () => this.session.openFile(name, bytes, model, known));
   }
 
-  async openTrajectory(name, bytes) {
+  /** `found`: what pliant play found of the frames. */
+  async openTrajectory(name, bytes, found) {
     const file = await this.waiting(name, () => readH5md(name, bytes));
+    const opened = await this.waiting(name, () => openFrame(this.session, `${name}.cif`, file, file.frames[0]));
     const frames = file.frames.map((positions, k) => ({
-      positions, step: k, sweeps: file.sweeps[k], projections: file.projections[k],
+      positions, step: found?.numbers?.[k] ?? k, sweeps: file.sweeps[k], projections: file.projections[k],
       residual: file.residual[k],
     }));
-    this.stage.replay(replayModel(name, file), frames);
+    const model = opened ? Object.assign(opened, {title: name}) : replayModel(name, file);
+    this.stage.replay(model, frames);
+    this.stage.tell('replayed', {name, file, found, canPull: opened !== null});
     if (frames.length < file.count) say(`${name}: the first ${frames.length} of ${file.count} frames are held.`, true);
   }
 

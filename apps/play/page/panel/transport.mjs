@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Record, stop, scrub, replay, undo and save.
 import {$, guarded, say} from './dom.mjs';
+import {Film} from './film.mjs';
 import {h5mdBytes} from '../record/hdf5.mjs';
 import {pdbText} from '../record/pdb.mjs';
-
-const RATE = 30;  // frames a second at speed 1
 
 /** Hands a file to the browser. */
 function download(parts, name, type) {
@@ -21,6 +20,7 @@ export class Transport {
   constructor(stage, session, view) {
     Object.assign(this, {stage, session, view});
     this.playing = false;
+    this.film = new Film(stage);
     $('record').onclick = () => this.record(!stage.recording);
     $('play').onclick = () => this.play(!this.playing);
     $('live').onclick = () => this.goLive();
@@ -40,8 +40,10 @@ export class Transport {
   play(isOn) {
     if (isOn === this.playing) return;
     this.playing = isOn && this.stage.frames.length > 1;
-    if (this.playing && (this.stage.at === null || this.stage.at === this.stage.frames.length - 1)) this.stage.show(0);
-    this.place = this.stage.at ?? 0;
+    const {film, stage} = this;
+    const isAtEnd = !film.order && stage.at === film.last;
+    if (this.playing && (stage.at === null || isAtEnd)) stage.show(film.frame(0));
+    this.place = Math.max(0, film.placeOf(stage.at ?? 0));
     this.before = null;
     this.refresh();
   }
@@ -53,7 +55,7 @@ export class Transport {
 
   scrub() {
     this.playing = false;
-    this.stage.show(Number($('scrub').value));
+    this.stage.show(this.film.frame(Number($('scrub').value)));
   }
 
   async undo() {
@@ -68,18 +70,19 @@ export class Transport {
     if (!this.playing) return;
     const passed = this.before === null ? 0 : (now - this.before) / 1000;
     this.before = now;
-    this.place += passed * RATE * Number($('speed').value);
-    const last = this.stage.frames.length - 1;
-    if (Math.floor(this.place) !== this.stage.at) this.stage.show(Math.min(Math.floor(this.place), last));
-    if (this.place >= last) this.play(false);
+    const {film, stage} = this;
+    this.place += passed * film.rate * Number($('speed').value);
+    const frame = film.frame(Math.floor(film.swung(this.place)));
+    if (frame !== stage.at) stage.show(frame);
+    if (this.place >= film.end) this.play(false);
   }
 
   refresh() {
     const {stage} = this;
     const last = Math.max(0, stage.frames.length - 1);
     const at = stage.at ?? last;
-    $('scrub').max = last;
-    $('scrub').value = at;
+    $('scrub').max = Math.max(0, this.film.last);
+    $('scrub').value = Math.max(0, this.film.placeOf(at));
     $('frame').textContent = `${at} / ${last}`;
     $('record').setAttribute('aria-pressed', stage.recording);
     $('play').setAttribute('aria-pressed', this.playing);

@@ -49,6 +49,11 @@ function byCluster(model) {
   };
 }
 
+/** Domains of motion, which pliant play finds of many frames; what is in none is grey. */
+export const domainColour = (domain) => (domain < 0 ? FLEXIBLE : CATEGORIES[domain % CATEGORIES.length]);
+
+const byDomain = (model) => (joint) => domainColour(model.domain ? model.domain[joint] : -1);
+
 function byChain(model) {
   const names = [...new Set(model.chain)];
   const colours = new Map(names.map((name, k) => [name, CATEGORIES[k % CATEGORIES.length]]));
@@ -100,6 +105,7 @@ export const COLOURINGS = [
   {name: 'element', title: 'Element', of: byElement},
   {name: 'cluster', title: 'Rigid cluster', of: byCluster},
   {name: 'secondary', title: 'Secondary structure', of: bySecondary},
+  {name: 'domain', title: 'Domain that moves', of: byDomain},
   {name: 'chain', title: 'Chain', of: byChain},
   {name: 'sequence', title: 'Place in the chain', of: bySequence},
   {name: 'residual', title: 'Residual of its bars', of: byResidual, live: true},

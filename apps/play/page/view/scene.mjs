@@ -73,6 +73,7 @@ export class View {
     this.sticks = layer(box, this.uniforms, stickVertex, stickFragment, false, this.members.sticks);
     this.trace = layer(box, this.uniforms, traceVertex, stickFragment, false);
     this.arrow = new Arrow();
+    this.overlays = [];  // drawn over the picture: {draw(renderer, camera)}
     this.scene.add(this.ribbon.mesh, this.balls, this.sticks, this.trace);
     this.patch = new WebGLRenderTarget(1, 1);
     this.walkers = this.detail = this.ratio = 1;
@@ -209,6 +210,7 @@ export class View {
     this.uniforms.firstWalker.value = 0;
     this.count(this.walkers);
     this.renderer.render(this.scene, this.orbit.camera);
+    for (const overlay of this.overlays) overlay.draw(this.renderer, this.orbit.camera);
     return this.arrow.draw(this.renderer, this.orbit.camera);
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The trajectory of an H5MD file: frames, and what Pliant keeps beside them.
+import {ENSEMBLE_PATHS, ensembleFields} from '../ensemble_fields.mjs';
 import {Hdf5File} from './read/file.mjs';
 import {Damaged, Outside} from './read/source.mjs';
 
@@ -62,8 +63,16 @@ async function trajectory(file) {
     sweeps: await list(file, 'observables/sweeps/value'),
     residual: await list(file, 'observables/max_residual/value'),
     projections: await list(file, 'observables/projections/value'),
+    ...await ensembleOf(file),
     names: await texts(file, ['parameters/topology/label', 'parameters/topology/atom_name']),
   };
+}
+
+/** What the page needs to open the molecule of the frames by itself. */
+async function ensembleOf(file) {
+  const values = new Map();
+  for (const path of ENSEMBLE_PATHS) values.set(path, await file.get(path)?.read?.() ?? null);
+  return ensembleFields((path) => values.get(path) ?? null);
 }
 
 /** Frames and framework of a file of these bytes. */
