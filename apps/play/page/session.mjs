@@ -147,8 +147,23 @@ export class Session extends EventTarget {
     const before = await this.ask('undo', {steps});
     this.positions = before.positions;
     this.before = null;
+    if (before.edited) this.tell('edited', this.takeEdited(await this.ask('edited', {})));
     this.tell('undone', {...before, steps});
     return steps;
+  }
+
+  /** Rows of a word (cut, bar, restore, turn), two joints and perhaps a length: one stroke for undo. */
+  async edit(edits) {
+    const model = await this.ask('edit', {edits});
+    this.strokes.push(1);
+    this.tell('edited', this.takeEdited(model));
+  }
+
+  /** What is there after edits takes the place of what was; the model stays the same object. */
+  takeEdited(reply) {
+    Object.assign(this.model, completed(reply));
+    this.positions = reply.positions;
+    return this.model;
   }
 
   async forces() {
