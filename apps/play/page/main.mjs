@@ -2,6 +2,7 @@
 // The page: makes its parts and lets them hear of each other.
 import {Hand} from './hand.mjs';
 import {Compare} from './panel/compare.mjs';
+import {Constraints} from './panel/constraints.mjs';
 import {$, guarded, say} from './panel/dom.mjs';
 import {Keys} from './panel/keys.mjs';
 import {Look} from './panel/look.mjs';
@@ -13,6 +14,7 @@ import {Resolution} from './panel/resolution.mjs';
 import {Resolve} from './panel/resolve.mjs';
 import {Transport} from './panel/transport.mjs';
 import {Wander} from './panel/wander.mjs';
+import {Why} from './panel/why.mjs';
 import {textInside} from './inside.mjs';
 import {Host} from './host.mjs';
 import {Live} from './live.mjs';
@@ -46,6 +48,8 @@ function makeParts() {
   parts.path = new Path(stage, session);
   parts.resolution = new Resolution(stage, session, view, hand);
   parts.plots = new Plots(stage);
+  parts.why = new Why(parts);
+  parts.constraints = new Constraints(parts);
   parts.keys = new Keys(parts);
   return parts;
 }

@@ -51,7 +51,7 @@ Reply why(const Request& request) {
                   {"yields", held.yields},  {"tried", held.is_tried},
                   {"frees", held.frees()},  {"asItIs", held.as_it_is},
                   {"without", held.without}};
-  if (held.taut) reply.fields["taut"] = {{"from", held.taut->from}, {"to", held.taut->to}};
+  if (held.taut) reply.fields["taut"] = {{"joints", held.taut->joints}};
   const std::vector<std::int32_t> loaded(held.loaded.begin(), held.loaded.end());
   reply.add("loaded", std::span<const std::int32_t>(loaded));
   return reply;

@@ -86,8 +86,8 @@ std::string HeldWords::carried() const {
 
 std::string HeldWords::own_shape() const {
   if (held.taut)
-    return "at the end of its reach: taut from " + start.atoms.label(held.taut->to) + " to " +
-           start.atoms.label(held.taut->from);
+    return "at the end of its reach: taut from " + start.atoms.label(held.taut->joints.back()) + " to " +
+           start.atoms.label(held.taut->joints.front());
   return "";
 }
 

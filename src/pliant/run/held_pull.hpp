@@ -36,10 +36,8 @@ struct Holder {
 
 /// A chain of bars that is as long as it can be.
 struct TautChain {
-  Joint from = 0;  ///< the end that is pulled
-  Joint to = 0;
-  std::size_t bars = 0;
-  double reach = 0.0;  ///< its length as a share of the longest it can have
+  std::vector<Joint> joints;  ///< from the end that is pulled, two or more
+  double reach = 0.0;         ///< its length as a share of the longest it can have
 };
 
 struct HeldPull {

@@ -45,13 +45,20 @@ class Stretching {
       if (reach < least_reach || dot(apart, along) < least_along * length) continue;
       if (length <= furthest) continue;
       furthest = length;
-      best = TautChain{joint_, end, chain.bars, std::min(reach, 1.0)};
+      best = TautChain{chain_to(end), std::min(reach, 1.0)};
     }
     return best;
   }
 
  private:
   static constexpr auto unreached = std::numeric_limits<std::size_t>::max();
+
+  std::vector<Joint> chain_to(Joint end) const {
+    std::vector<Joint> chain{end};
+    while (chain.back() != joint_) chain.push_back(found_[chain.back()].before);
+    std::ranges::reverse(chain);
+    return chain;
+  }
 
   bool has_bar(Joint a, Joint b) const {
     return std::ranges::any_of(framework_.neighbours(a),

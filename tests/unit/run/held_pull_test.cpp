@@ -71,7 +71,7 @@ TEST(WhyHeld, NamesPins) {
   EXPECT_NEAR(found.holders[0].load, 1.0, 0.02);
   EXPECT_TRUE(found.frees());
   ASSERT_TRUE(found.taut);
-  EXPECT_EQ(found.taut->to, 0u) << "the chain is straight to its very end";
+  EXPECT_EQ(found.taut->joints.back(), 0u) << "the chain is straight to its very end";
   walk.pin(std::vector<Joint>{5});
   EXPECT_TRUE(why_held(walk, hand).is_pinned);
 }
@@ -91,7 +91,7 @@ TEST(TautChain, IsAllTransWithItsAngles) {
   const Framework framework = framework_of(zigzag);
   const auto found = find_taut_chain(framework, zigzag.positions, 9, {0.7, 0.7, 0.0});
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->bars, 9u);
+  EXPECT_EQ(found->joints.size(), 10u);
   EXPECT_NEAR(found->reach, 1.0, 1e-9);
   EXPECT_FALSE(find_taut_chain(framework, zigzag.positions, 9, {-0.7, -0.7, 0.0}));
   EXPECT_FALSE(find_taut_chain(framework_of(chain(10)), chain(10).positions, 9, {0.7, 0.7, 0.0}))
