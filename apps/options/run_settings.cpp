@@ -195,6 +195,8 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
   if (!settings.events.empty())
     for (auto& [path, value] : values)
       if (path == "run/perturb") value = std::string(events_perturbation);
+  if (const std::string edits = edits_text(settings.events, framework); !edits.empty())
+    values.emplace_back("run/edits", edits);
   if (settings.one_file) values.emplace_back("run/walkers", settings.walkers);
   values.insert(values.end(),
                 {{"input/file", fs::path(settings.molecule.file).filename().string()},

@@ -26,7 +26,8 @@ std::vector<std::string> outputs_of(const RunSettings& settings,
 
 std::string worst_bar_of(const Framework& framework, const RunSummary& summary) {
   if (framework.bar_count() == 0) return "";
-  return framework.label(framework.bars()[summary.worst_bar]);
+  const bool is_known = summary.worst_joints.a != summary.worst_joints.b;
+  return framework.label(is_known ? summary.worst_joints : framework.bars()[summary.worst_bar]);
 }
 
 /// "auto: blocks (the bars close no cycle: ...)", "bfs_cycle, weighting 0.5", "blocks".

@@ -60,8 +60,9 @@ export class Hand {
     this.pointers.set(event.pointerId, {...at, start: at, moved: false});
     if (this.pointers.size > 1) return this.release();
     this.action = event.button === 2 || event.shiftKey ? 'pan' : 'turn';
+    this.met = null;
     if (event.button !== 0 || event.shiftKey || this.tool === 'turn') return;
-    const met = this.view.pick(at.x, at.y, REACH[event.pointerType] ?? REACH.mouse);
+    const met = this.met = this.view.pick(at.x, at.y, REACH[event.pointerType] ?? REACH.mouse);
     if (met?.joint !== undefined && !this.isReplay) this.meet(met.joint, at, event.ctrlKey || event.metaKey);
   }
 
@@ -144,23 +145,26 @@ export class Hand {
       const began = performance.now();
       this.looking = false;
       const met = this.held ? null : this.view.pick(at.x, at.y);
-      this.hover(met?.joint ?? -1, met?.bar);
+      this.hover(met?.joint ?? -1, met?.bar, met?.contact);
       this.nextLook = performance.now() + 4 * (performance.now() - began);
     });
   }
 
-  hover(joint, bar) {
+  hover(joint, bar, contact) {
     if (this.held) return;
-    if (joint === this.hovered && bar === this.hoveredBar) return;
-    [this.hovered, this.hoveredBar] = [joint, bar];
+    if (joint === this.hovered && bar === this.hoveredBar && contact === this.hoveredContact) return;
+    [this.hovered, this.hoveredBar, this.hoveredContact] = [joint, bar, contact];
     this.view.setLit({hover: joint});
-    this.canvas.classList.toggle('over-joint', joint >= 0);
+    this.canvas.classList.toggle('over-joint', joint >= 0 || contact !== undefined);
     const {model} = this.session;
+    if (contact !== undefined) return this.onSay(model.contactName(contact));
     this.onSay(joint >= 0 ? this.describe(joint) : bar === undefined ? '' : model.barName(bar));
   }
 
   up(event) {
+    const isClick = this.pointers.get(event.pointerId)?.moved === false && event.type === 'pointerup';
     this.pointers.delete(event.pointerId);
+    if (isClick && this.met && this.action !== 'none') this.session.tell('clicked', this.met);
     const {held} = this;
     if (!held) return;
     if (this.onPush && held.hasMoved) this.onPush([this.forceOn(held, 1)]);
@@ -189,6 +193,11 @@ export class Hand {
     const effort = this.session.effort(held.joint, way.map((x) => x * scale));
     const factor = mass / (PER_FORCE * timestep * timestep);
     return [held.joint, ...effort.map((x) => x * factor)];
+  }
+
+  /** The share of the way, and how far (Angstrom) a step of a pull may go. */
+  pace() {
+    return {share: STRENGTH[this.strength], furthest: FARTHEST[this.strength] * this.view.unit};
   }
 
   /** Called for each frame shown: begins a step where one is due. */

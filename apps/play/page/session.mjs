@@ -17,6 +17,11 @@ function completed(reply) {
   for (const name of ['trace', 'bars', 'bonds', 'contacts']) model[name] ??= new Int32Array(0);
   model.nameOf = (joint) => model.names[joint] ?? `joint ${joint}`;
   model.barName = (bar) => `${model.nameOf(model.bars[2 * bar])} – ${model.nameOf(model.bars[2 * bar + 1])}`;
+  model.contactName = (contact) => {
+    const [a, b] = [model.contacts[2 * contact], model.contacts[2 * contact + 1]];
+    const kind = (model.contactKindNames?.[model.contactKinds[contact]] ?? 'contact').replaceAll('_', ' ');
+    return `${kind} ${model.nameOf(a)} – ${model.nameOf(b)}`;
+  };
   return model;
 }
 
@@ -102,7 +107,8 @@ export class Session extends EventTarget {
   async pull(forces, isNewStroke = true) {
     if (this.live) return this.live.pull(forces);
     const step = await this.ask('pull', {forces, pins: [...this.pins]});
-    if (isNewStroke || !this.strokes.length) this.strokes.push(0);
+    if (isNewStroke || this.isSealed || !this.strokes.length) this.strokes.push(0);
+    this.isSealed = false;
     this.strokes[this.strokes.length - 1] += 1;
     return this.stand(step, forces);
   }
@@ -147,8 +153,24 @@ export class Session extends EventTarget {
     const before = await this.ask('undo', {steps});
     this.positions = before.positions;
     this.before = null;
+    if (before.edited) this.tell('edited', this.takeEdited(await this.ask('edited', {})));
     this.tell('undone', {...before, steps});
     return steps;
+  }
+
+  /** Rows of a word (cut, bar, restore, turn), two joints and perhaps a length: one stroke for undo. */
+  async edit(edits) {
+    const model = await this.ask('edit', {edits});
+    this.strokes.push(1);
+    this.isSealed = true;  // pulls that go on are no part of it
+    this.tell('edited', this.takeEdited(model));
+  }
+
+  /** What is there after edits takes the place of what was; the model stays the same object. */
+  takeEdited(reply) {
+    Object.assign(this.model, completed(reply));
+    this.positions = reply.positions;
+    return this.model;
   }
 
   async forces() {

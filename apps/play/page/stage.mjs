@@ -28,6 +28,7 @@ export class Stage extends EventTarget {
     session.on('step', (step) => this.take(step));
     session.on('undone', (before) => this.undone(before));
     session.on('pins', () => this.mark());
+    session.on('edited', (model) => this.edited(model));
   }
 
   tell(name, detail) {
@@ -54,6 +55,20 @@ export class Stage extends EventTarget {
     this.mark();
     this.frames.add({sweeps: 0, projections: 0, residual: 0, converged: true, ...model.start, positions: positions.slice(), step: 0});
     this.tell('began', model);
+    this.tell('changed');
+  }
+
+  /** Other bars and contacts hold the same joints: what was measured of the old ones is forgotten. */
+  edited(model) {
+    this.strain = new Float32Array(model.bars.length / 2);
+    this.fading = false;
+    this.residuals = null;
+    if (this.last) this.last = {...this.last, broken: null, worst: -1};
+    this.at = null;
+    this.view.reopen(model, this.session.positions);
+    this.look();
+    this.mark();
+    this.tell('edited', model);
     this.tell('changed');
   }
 
@@ -117,7 +132,7 @@ export class Stage extends EventTarget {
   /** Positions, and the bars that were broken before the repair in red. */
   paint({positions, broken}) {
     this.view.setPositions(positions);
-    if (broken && this.showStrain) {
+    if (broken && this.showStrain && broken.length === this.strain.length) {
       this.strain.set(broken);
       this.view.setStrain(this.strain);
       this.fading = true;

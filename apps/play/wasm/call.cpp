@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "call.hpp"
 
+#include "edit_calls.hpp"
 #include "open_calls.hpp"
 #include "path_calls.hpp"
 #include "pliant/base/choices.hpp"
 #include "recorded_call.hpp"
 #include "sample_call.hpp"
 #include "step_calls.hpp"
+#include "why_call.hpp"
 
 namespace pliant::play {
 namespace {
@@ -28,6 +30,10 @@ constexpr CallEntry table[] = {
     {"forces", forces},
     {"state", state},
     {"recorded", recorded},
+    {"edit", edit},
+    {"edited", edited},
+    {"pair", pair},
+    {"why", why},
 };
 
 Reply failure(std::string_view message) {

@@ -115,24 +115,27 @@ Structure read_molecule(const std::string& name, std::string_view bytes, const K
 
 Document document_of(MolecularModel built, const std::string& name) {
   Structure& made = built.structure;
+  auto kept = std::make_shared<const Structure>(made);
   const Rigidity rigidity = analyse_rigidity(made, built.contacts);
   ResidueNodes nodes = residue_nodes(made);
   const bool has_residues = usual_model(made) == ModelKind::protein;
   const std::size_t coloured = coloured_clusters(made, rigidity.found.clusters);
-  return {made.title.empty() ? name : made.title,
-          "molecule",
-          std::string(entry(built.kind).name),
-          std::move(built.framework),
-          std::move(made.atoms),
-          std::move(built.positions),
-          std::move(made.bonds),
-          std::move(made.chain_end),
-          std::move(built.contacts),
-          rigidity.found.clusters,
-          {},
-          {std::move(nodes.positions), std::move(nodes.chain), std::move(nodes.of_atom)},
-          has_residues,
-          coloured};
+  Document document{made.title.empty() ? name : made.title,
+                    "molecule",
+                    std::string(entry(built.kind).name),
+                    std::move(built.framework),
+                    std::move(made.atoms),
+                    std::move(built.positions),
+                    std::move(made.bonds),
+                    std::move(made.chain_end),
+                    std::move(built.contacts),
+                    rigidity.found.clusters,
+                    {},
+                    {std::move(nodes.positions), std::move(nodes.chain), std::move(nodes.of_atom)},
+                    has_residues,
+                    coloured};
+  document.made = std::move(kept);
+  return document;
 }
 
 Document open_file(const std::string& name, std::string_view bytes, const std::string& model,

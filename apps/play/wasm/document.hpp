@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pliant/framework/framework.hpp"
+#include "pliant/framework/edits.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/path/path.hpp"
@@ -38,6 +38,7 @@ struct Document {
   std::shared_ptr<const Structure> file = nullptr;  ///< the molecule as read; null for a graph
   std::shared_ptr<PathWalk> path = nullptr;         ///< the path being found; null if there is none
   std::optional<std::uint64_t> fingerprint = {};    ///< of the structure as read, before its model
+  std::shared_ptr<const Structure> made = nullptr;  ///< that the model is of; null for a graph
 };
 
 /// Data that a program knows more exactly than a molecule file: positions with all digits, and
@@ -59,6 +60,11 @@ Document document_of(MolecularModel built, const std::string& name);
 /// InputError if `known` does not fit the atoms.
 Document open_file(const std::string& name, std::string_view bytes, const std::string& model,
                    const Known& known = {});
+
+/// The document with the framework after edits, the contacts that are left of its own, and the
+/// rigid clusters that these and the bonds that are left make: an added bar counts as one bar, a
+/// freed angle not at all.
+Document after_edits(const Document& document, const EditedFramework& edited);
 
 /// The positions as numbers: x, y, z of each.
 std::span<const double> numbers_of(std::span<const Vec3> positions);

@@ -26,6 +26,8 @@ std::vector<NamedParameter> of_run(const Session& session) {
   for (auto& [path, value] : values)
     if (path == "run/perturb" && !events.empty()) value = std::string(events_perturbation);
   values.insert(values.end(), {{"run/ordering", std::string()}, {"run/forces", std::string()}});
+  if (std::string edits = edits_text(events, session.document().framework); !edits.empty())
+    values.emplace_back("run/edits", std::move(edits));
   return values;
 }
 

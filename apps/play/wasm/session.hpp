@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "document.hpp"
@@ -28,8 +29,11 @@ class Session {
   const RunOptions& options() const { return walk_->options(); }
   const State& state() const { return walk_->state(); }
   const Framework& framework() const { return walk_->framework(); }
+  const SteeredWalk& walk() const { return *walk_; }
+  /// The document with its bars, contacts and rigid clusters after all edits.
+  Document shown() const;
   /// Residuals of the bars, updated by the caller.
-  KeptResiduals& residuals() { return residuals_; }
+  KeptResiduals& residuals() { return *residuals_; }
 
   /// The present frame of the walker, measured.
   Frame frame() { return walk_->frame(); }
@@ -37,6 +41,9 @@ class Session {
   /// Sets options. Throws OptionError; nothing is changed then.
   void set(const RunOptions& options);
   void pin(std::vector<Joint> joints);
+  /// Cuts, adds and restores bars and contacts; undo takes it back like a step. Throws OptionError;
+  /// nothing is changed then.
+  void edit(const std::vector<FrameworkEdit>& edits);
   /// Makes one step.
   StepReport pull(const std::vector<JointForce>& forces);
   /// The same, watching the technique bar by bar. Throws OptionError if that is not possible; no
@@ -52,31 +59,44 @@ class Session {
   /// Repeats the last pull from its start with other options, without changing the session. Throws
   /// OptionError if there was none.
   StepReport again(const RunOptions& options, State& after) const;
-  /// Takes back so many steps, or all that are kept. Returns how many these were.
+  /// Does what an event of a force file says, and shows each step of it. Throws OptionError.
+  void apply(const ForceEvent& event, const std::function<void(const StepReport&)>& show);
+  /// Takes back so many steps and edits, or all that are kept. Returns how many these were.
   std::size_t undo(std::size_t steps);
-  /// All steps that were not taken back, with their settings and pins.
+  /// All steps and edits that were not taken back, with their settings and pins.
   std::vector<ForceEvent> events() const;
   /// The header of a force file for the document and its model.
   ForceHeader force_header() const;
 
  private:
-  /// A step and its settings.
+  enum class Act : std::uint8_t { pull, wander, edit };
+
+  /// A step or an edit, and its settings.
   struct Done {
     std::shared_ptr<const RunOptions> options;
     std::shared_ptr<const std::vector<Joint>> pinned;
+    std::shared_ptr<const EditedFramework> edited;
     std::vector<JointForce> forces;
-    bool is_pull = true;
+    Act act = Act::pull;
+  };
+  /// What undo goes back to.
+  struct Before {
+    State state;
+    std::shared_ptr<const EditedFramework> edited;
   };
 
-  StepReport report(Done done, const std::function<Frame()>& step);
+  StepReport report(std::vector<JointForce> forces, Act act, const std::function<Frame()>& step);
+  void keep(Before before, std::vector<JointForce> forces, Act act);
+  void measure_anew();
 
   Document document_;
-  KeptResiduals residuals_;
+  std::shared_ptr<const EditedFramework> measured_;  ///< what residuals_ are of; null: the document
+  std::optional<KeptResiduals> residuals_;
   std::unique_ptr<SteeredWalk> walk_;
   std::shared_ptr<const RunOptions> options_;
   std::shared_ptr<const std::vector<Joint>> pinned_;
-  std::vector<Done> done_;     ///< all steps
-  std::deque<State> befores_;  ///< the states before the last ones
+  std::vector<Done> done_;
+  std::deque<Before> befores_;  ///< the last ones
   std::size_t most_befores_;
   std::vector<std::unique_ptr<SteeredWalk>> crowd_;
 };

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "step_calls.hpp"
 
+#include "joint_words.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "session.hpp"
 #include "settings.hpp"
 
 namespace pliant::play {
-namespace {
 
 Joint joint_of(const Json& number) {
   if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= ~Joint{0})
     throw OptionError("joint " + number.dump() + ": expected a whole number from 0");
   return number.get<Joint>();
 }
+
+namespace {
 
 std::vector<JointForce> forces_of(const Json& fields) {
   std::vector<JointForce> forces;
@@ -190,8 +192,10 @@ Reply again(const Request& request) {
 
 Reply undo(const Request& request) {
   const auto steps = request.fields.value("steps", std::size_t{1});
+  const auto held_by = session().walk().edited();
   Reply reply;
   reply.fields["steps"] = session().undo(steps);
+  reply.fields["edited"] = session().walk().edited() != held_by;
   reply.fields["step"] = session().state().step;
   reply.add("positions", numbers_of(session().state().positions));
   return reply;

@@ -112,6 +112,7 @@ class Replaying {
       show(walk_.wander(wander.forces));
   }
   void apply(const HoldBack& hold) { walk_.hold_back(hold.longest_step); }
+  void apply(const FrameworkEdit& edit) { walk_.edit({&edit, 1}); }
   void apply(const StartWalk&) {
     if (makes_steps_) show(walk_.start());
   }

@@ -21,6 +21,7 @@ void add(RunSummary& sum, const RunSummary& more) {
   if (more.worst_residual <= sum.worst_residual) return;
   sum.worst_residual = more.worst_residual;
   sum.worst_bar = more.worst_bar;
+  sum.worst_joints = more.worst_joints;
   sum.worst_step = more.worst_step;
 }
 

@@ -17,7 +17,8 @@ struct RunSummary {
   std::int64_t sweeps = 0, max_sweeps = 0;
   std::int64_t projections = 0;  ///< over all resolves, as resolve_seconds
   double worst_residual = 0.0;   ///< largest |length - rest| / rest after any step
-  BarIndex worst_bar = 0;
+  BarIndex worst_bar = 0;        ///< of the framework then: edits change which bars there are
+  Bar worst_joints = {};         ///< its joints; both 0 where no bar was worse than 0
   std::int64_t worst_step = 0;
   bool stopped_by_caller = false;
   double perturb_seconds = 0.0, resolve_seconds = 0.0, observe_seconds = 0.0, seconds = 0.0;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "pliant/base/error.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant {
@@ -29,7 +30,7 @@ SteeredWalk::SteeredWalk(const Framework& framework, State state, const RunOptio
       state_(std::move(state)),
       options_(options),
       hand_(std::make_shared<Steering>()) {
-  renew(nullptr, options);
+  renew(options);
 }
 
 std::unique_ptr<Motion> SteeredWalk::made(const Framework& framework, const RunOptions& options,
@@ -50,15 +51,35 @@ std::unique_ptr<Motion> SteeredWalk::made(const Framework& framework, const RunO
 }
 
 /// A Motion goes on from a state as another one would have: so each change may make a new one.
-void SteeredWalk::renew(std::shared_ptr<const Framework> held, RunOptions options) {
-  replace(made(held ? *held : framework_, options, pushing_));
-  held_ = std::move(held);
+void SteeredWalk::renew(RunOptions options) {
+  replace(made(framework(), options, pushing_));
   options_ = std::move(options);
+}
+
+/// The same with what is held; nothing has changed where it throws.
+void SteeredWalk::hold(std::shared_ptr<const EditedFramework> edited,
+                       std::span<const Joint> pinned) {
+  const Framework& plain = edited ? edited->framework : framework_;
+  std::shared_ptr<const Framework> held;
+  if (!pinned.empty()) held = std::make_shared<const Framework>(plain.with_pinned(pinned));
+  std::vector<Joint> joints(pinned.begin(), pinned.end());
+  replace(made(held ? *held : plain, options_, pushing_));
+  edited_ = std::move(edited);
+  held_ = std::move(held);
+  pinned_ = std::move(joints);
 }
 
 void SteeredWalk::replace(std::unique_ptr<Motion> motion) {
   if (motion_) add(done_, motion_->summary());
   motion_ = std::move(motion);
+}
+
+std::unique_ptr<SteeredWalk> SteeredWalk::branch() const {
+  RunOptions options = options_;
+  options.resolve.on_bar = {};
+  auto other = std::make_unique<SteeredWalk>(framework_, state_, options);
+  if (edited_ || !pinned_.empty()) other->hold(edited_, pinned_);
+  return other;
 }
 
 RunSummary SteeredWalk::summary() const {
@@ -93,27 +114,32 @@ Frame SteeredWalk::wander(std::span<const JointForce> forces) {
 
 void SteeredWalk::hold_back(double longest_step) {
   hand_ = std::make_shared<Steering>(longest_step);
-  renew(held_, options_);
+  renew(options_);
 }
 
 void SteeredWalk::set(const RunOptions& options) {
   RunOptions wanted = options;
   wanted.resolve.on_bar = options_.resolve.on_bar;
-  renew(held_, std::move(wanted));
+  renew(std::move(wanted));
 }
 
-void SteeredWalk::pin(std::span<const Joint> joints) {
-  std::shared_ptr<const Framework> held;
-  if (!joints.empty()) held = std::make_shared<const Framework>(framework_.with_pinned(joints));
-  std::vector<Joint> pinned(joints.begin(), joints.end());
-  renew(held, options_);
-  pinned_ = std::move(pinned);
+void SteeredWalk::pin(std::span<const Joint> joints) { hold(edited_, joints); }
+
+void SteeredWalk::edit(std::span<const FrameworkEdit> edits) {
+  if (edits.empty()) return;
+  if (!state_.limits_off.empty())
+    throw OptionError("edit: some contacts are switched off, which edits do not keep");
+  std::vector<FrameworkEdit> all = edited_ ? edited_->edits : std::vector<FrameworkEdit>();
+  all.insert(all.end(), edits.begin(), edits.end());
+  hold(std::make_shared<const EditedFramework>(
+           pliant::edited(framework_, std::move(all), state_.positions)),
+       pinned_);
 }
 
 void SteeredWalk::watch(std::function<void(const RepairedBar&)> on_bar) {
   RunOptions wanted = options_;
   wanted.resolve.on_bar = std::move(on_bar);
-  renew(held_, std::move(wanted));
+  renew(std::move(wanted));
 }
 
 void SteeredWalk::look_at_push(std::function<void(std::span<const Vec3>)> look) {
@@ -123,6 +149,11 @@ void SteeredWalk::look_at_push(std::function<void(std::span<const Vec3>)> look) 
 void SteeredWalk::put(State state) {
   replace(nullptr);
   state_ = std::move(state);
+}
+
+void SteeredWalk::put(State state, std::shared_ptr<const EditedFramework> edited) {
+  put(std::move(state));
+  if (edited != edited_) hold(std::move(edited), pinned_);
 }
 
 }  // namespace pliant

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/framework/edits.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pliant/run/run.hpp"
 
@@ -42,6 +43,9 @@ class SteeredWalk {
   /// Holds these joints in place of the earlier ones, besides those that the framework has pinned:
   /// they take no part of any correction. Throws as set(), and for a joint that does not exist.
   void pin(std::span<const Joint> joints);
+  /// Cuts, adds and restores bars and contacts, from the next step on. Throws as edited() and
+  /// set(); nothing is changed then.
+  void edit(std::span<const FrameworkEdit> edits);
   /// From now on no force moves its joint by more than `longest_step` (Angstrom) in a step, as in
   /// Steering. Throws OptionError if that is not above 0.
   void hold_back(double longest_step);
@@ -53,10 +57,18 @@ class SteeredWalk {
   void look_at_push(std::function<void(std::span<const Vec3>)> look);
   /// Replaces the state, for example by an earlier one: the next step continues from there.
   void put(State state);
+  /// The same, with what held it then; null: no edits.
+  void put(State state, std::shared_ptr<const EditedFramework> edited);
+
+  /// Another walk that goes on as this one would, with its settings, pins and edits, and leaves it
+  /// where it is.
+  std::unique_ptr<SteeredWalk> branch() const;
 
   const RunOptions& options() const { return options_; }
-  /// The framework with the joints that are held.
-  const Framework& framework() const { return held_ ? *held_ : framework_; }
+  /// The framework after all edits, with the joints that are held.
+  const Framework& framework() const { return held_ ? *held_ : without_pins(); }
+  /// The edits and what they have made of the framework; null: none.
+  const std::shared_ptr<const EditedFramework>& edited() const { return edited_; }
   std::span<const Joint> pinned() const { return pinned_; }
   const State& state() const { return state_; }
   /// Summary of all steps.
@@ -68,13 +80,16 @@ class SteeredWalk {
   Motion& motion(Pushing by);
   std::unique_ptr<Motion> made(const Framework& framework, const RunOptions& options, Pushing by);
   void replace(std::unique_ptr<Motion> motion);
-  void renew(std::shared_ptr<const Framework> held, RunOptions options);
+  const Framework& without_pins() const { return edited_ ? edited_->framework : framework_; }
+  void renew(RunOptions options);
+  void hold(std::shared_ptr<const EditedFramework> edited, std::span<const Joint> pinned);
 
   const Framework& framework_;
   State state_;
   RunOptions options_;
   std::vector<Joint> pinned_;
-  std::shared_ptr<const Framework> held_;  ///< null: no joint is held
+  std::shared_ptr<const EditedFramework> edited_;  ///< null: no edits
+  std::shared_ptr<const Framework> held_;          ///< null: no joint is held
   std::function<void(std::span<const Vec3>)> look_;
   std::shared_ptr<Steering> hand_;
   Pushing pushing_ = Pushing::by_hand;

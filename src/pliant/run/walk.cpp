@@ -192,6 +192,7 @@ void Walk::note(const ResolveSummary& resolved) {
   if (resolved.max_residual > summary_.worst_residual) {
     summary_.worst_residual = resolved.max_residual;
     summary_.worst_bar = resolved.worst_bar;
+    if (framework_.bar_count() > 0) summary_.worst_joints = framework_.bars()[resolved.worst_bar];
     summary_.worst_step = state_.step;
   }
 }

@@ -19,7 +19,10 @@ const HELP = [
   [['P'], 'pin the chosen joint'],
   [['Space'], 'play or stop the recording'],
   [['R'], 'record, or stop recording'],
-  [['Z'], 'undo the last pull'],
+  [['Z'], 'undo the last pull, cut or bar'],
+  [['Y'], 'why the chosen joint does not follow a pull away from the middle'],
+  [['X'], 'cut all that is said to hold it'],
+  [['B'], 'take the chosen joint as one of two, to be joined or cut'],
   [['F'], 'see all of it'],
   [['W'], 'wander, or stop'],
   [['T'], 'dark or light'],
@@ -42,6 +45,8 @@ export class Keys {
       p: () => this.pin(), r: () => $('record').click(), z: () => $('undo').click(),
       f: () => this.fit(), w: () => $('wander').click(), t: () => $('theme').click(),
       '?': () => $('help').showModal(), ' ': () => $('play').click(),
+      y: () => this.askWhy(), x: () => $('why-cut').hidden ? $('why-list').querySelector('button')?.click() : $('why-cut').click(),
+      b: () => this.chosen >= 0 && this.constraints.pick(this.chosen),
       ',': () => this.choose(-1), '.': () => this.choose(1),
       '+': () => this.zoom(0.85), '=': () => this.zoom(0.85), '-': () => this.zoom(1 / 0.85),
     };
@@ -83,6 +88,16 @@ export class Keys {
     this.chosen = (this.chosen + way + joints) % joints;
     this.view.setLit({hover: this.chosen});
     $('said').textContent = this.hand.describe(this.chosen);
+  }
+
+  /** Of a pull straight away from the middle of all joints. */
+  askWhy() {
+    const joint = this.chosen >= 0 ? this.chosen : this.hand.hovered;
+    if (joint < 0) return say('Choose a joint first, by the keys , and .', true);
+    const {positions} = this.session;
+    const middle = [0, 1, 2].map((c) => positions.reduce((sum, x, k) => sum + (k % 3 === c ? x : 0), 0) / (positions.length / 3));
+    const now = this.hand.positionOf(joint);
+    return this.why.askOf(joint, now.map((x, c) => x + 10 * (x - middle[c])));
   }
 
   pin() {

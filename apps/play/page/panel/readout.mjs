@@ -16,6 +16,7 @@ export class Readout {
   constructor(stage, session, hand) {
     Object.assign(this, {stage, session});
     stage.on('began', (model) => this.began(model));
+    stage.on('edited', (model) => this.began(model));
     stage.on('changed', () => this.refresh());
     session.on('pins', () => this.pins());
     hand.onSay = (text) => { $('said').textContent = text; };

@@ -88,8 +88,8 @@ export class Resolution {
 
   barsOf(joint) {
     const {model} = this.stage;
-    if (this.barsFor !== model) {
-      this.barsFor = model;
+    if (this.barsFor !== model.bars) {
+      this.barsFor = model.bars;
       this.barLists = Array.from({length: model.joints}, () => []);
       for (let k = 0; k < model.bars.length; ++k) this.barLists[model.bars[k]].push(k >> 1);
     }

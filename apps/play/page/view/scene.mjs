@@ -108,6 +108,14 @@ export class View {
     this.setStyle(this.style);
   }
 
+  /** The same joints, held by other bars and contacts: the camera stays where it is. */
+  reopen(model, positions) {
+    this.model = model;
+    this.allocate(1);
+    this.textures.setPositions(positions);
+    this.setStyle(this.style);
+  }
+
   /** Room for `walkers` walkers; what joints and bars looked like is forgotten. */
   allocate(walkers) {
     this.textures?.dispose();
@@ -211,6 +219,7 @@ export class View {
     this.count(this.walkers);
     this.renderer.render(this.scene, this.orbit.camera);
     for (const overlay of this.overlays) overlay.draw(this.renderer, this.orbit.camera);
+    this.holders?.draw(this);
     return this.arrow.draw(this.renderer, this.orbit.camera);
   }
 
@@ -283,7 +292,9 @@ export class View {
     if (number < 0) return null;
     if (number < model.joints) return {joint: number};
     const bar = number - model.joints;
-    return bar < model.bars.length / 2 ? {bar} : null;
+    if (bar < model.bars.length / 2) return {bar};
+    const contact = bar - this.textures.stickCount + model.contacts.length / 2;
+    return contact >= 0 ? {contact, stick: bar} : null;
   }
 }
 

@@ -46,6 +46,8 @@ class Parser {
     if (word == "pin") return take_pins(words);
     if (word == "hold_back" && !is_old()) return take_hold_back(words);
     if (word == "start" && !is_old()) return take_start(words);
+    for (const EditKind kind : {EditKind::cut, EditKind::bar, EditKind::restore})
+      if (word == name(kind) && !is_old()) return take_edit(kind, words);
     fail(place_, "expected set, pin, force, step or wander, found " + quoted(word));
   }
 
@@ -92,6 +94,24 @@ class Parser {
     const auto longest = words.size() == 2 ? parse_real(words[1]) : std::nullopt;
     if (!longest || *longest <= 0.0) fail(place_, "hold_back: expected a number above 0");
     add(HoldBack{*longest});
+  }
+
+  void take_edit(EditKind kind, const Words& words) {
+    const bool has_length = kind == EditKind::bar;
+    if (words.size() != (has_length ? 4u : 3u))
+      fail(place_, std::string(words[0]) + ": expected two joints" +
+                       (has_length ? " and a length" : "") + ", found " +
+                       std::to_string(words.size() - 1) + " fields");
+    FrameworkEdit edit{kind, names_.find(words[1], place_), names_.find(words[2], place_)};
+    if (has_length) edit.length = length_of(words[3]);
+    add(edit);
+  }
+
+  double length_of(std::string_view word) const {
+    const auto length = parse_real(word);
+    if (!length || *length <= 0.0)
+      fail(place_, "bar: expected a length above 0, found " + quoted(word));
+    return *length;
   }
 
   void take_start(const Words& words) {
@@ -144,7 +164,19 @@ struct Writer {
     text += "hold_back " + shortest_text(hold.longest_step) + "\n";
   }
   void operator()(const StartWalk&) const { text += "start\n"; }
+  void operator()(const FrameworkEdit& edit) const {
+    text += std::string(name(edit.kind));
+    for (const Joint joint : {edit.a, edit.b}) text += " " + names.word_for(joint, "force file");
+    if (edit.kind == EditKind::bar) text += " " + shortest_text(edit.length);
+    text += "\n";
+  }
 };
+
+std::int64_t steps_in(const ForceEvent& event) {
+  if (const auto* pull = std::get_if<PullStep>(&event.what)) return pull->count;
+  if (const auto* wander = std::get_if<WanderSteps>(&event.what)) return wander->count;
+  return 0;
+}
 
 /// Bit by bit: -0 is not 0.
 bool are_same(std::span<const JointForce> a, std::span<const JointForce> b) {
@@ -194,11 +226,21 @@ void add_wander(std::vector<ForceEvent>& events, std::span<const JointForce> for
 
 std::int64_t steps_of(std::span<const ForceEvent> events) {
   std::int64_t steps = 0;
-  for (const ForceEvent& event : events) {
-    if (const auto* pull = std::get_if<PullStep>(&event.what)) steps += pull->count;
-    if (const auto* wander = std::get_if<WanderSteps>(&event.what)) steps += wander->count;
-  }
+  for (const ForceEvent& event : events) steps += steps_in(event);
   return steps;
+}
+
+std::string edits_text(std::span<const ForceEvent> events, const Framework& framework) {
+  std::string text;
+  std::int64_t steps = 0;
+  for (const ForceEvent& event : events) {
+    steps += steps_in(event);
+    const auto* edit = std::get_if<FrameworkEdit>(&event.what);
+    if (edit == nullptr) continue;
+    if (!text.empty()) text += "; ";
+    text += "after step " + std::to_string(steps) + ": " + text_of(*edit, framework);
+  }
+  return text;
 }
 
 }  // namespace pliant

@@ -7,12 +7,16 @@
 //   start                    # the start is made whole under the settings above, not the usual ones
 //   hold_back 0.2            # from here on no force moves its joint further in a step (Angstrom)
 //   pin C1 C7                # these joints are held from the next step on, and no others
+//   cut C1 C2                # what joins them goes: a bar, or a contact with all of its limits
+//   bar C1 C7 2.5            # they are joined by a bar of this length (Angstrom)
+//   restore C1 C2            # what joined them at the start is back, and nothing else
 //   force C4 12.5 -3 0.25    # joint, force (x, y, z) in kJ/(mol Angstrom)
 //   step 350                 # so many steps under the forces above; there may be none
 //   wander 10                # so many steps of the pusher that `set perturb` names, and then of
 //                            # the forces above
 //
-// Version 2 has no header, start or hold_back, one step a line, and no forces before wander.
+// Version 2 has no header, start, hold_back, cut, bar or restore, one step a line, and no forces
+// before wander.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +26,7 @@
 #include <variant>
 #include <vector>
 
+#include "pliant/framework/edits.hpp"
 #include "pliant/perturb/force_files/force_header.hpp"
 #include "pliant/perturb/push.hpp"
 
@@ -55,7 +60,8 @@ struct HoldBack {
 struct StartWalk {};
 
 struct ForceEvent {
-  std::variant<SetOption, PinJoints, PullStep, WanderSteps, HoldBack, StartWalk> what;
+  std::variant<SetOption, PinJoints, PullStep, WanderSteps, HoldBack, StartWalk, FrameworkEdit>
+      what;
   std::size_t line = 0;  ///< line of the file, from 1; 0 if not from a file
 };
 
@@ -75,5 +81,8 @@ void add_wander(std::vector<ForceEvent>& events, std::span<const JointForce> for
 
 /// Number of steps in the events.
 std::int64_t steps_of(std::span<const ForceEvent> events);
+
+/// The edits among the events, for files of frames: "after step 12: cut 3 - 7; after step 20: ...".
+std::string edits_text(std::span<const ForceEvent> events, const Framework& framework);
 
 }  // namespace pliant

@@ -13,8 +13,8 @@ namespace pliant {
 namespace {
 
 constexpr std::string_view escaped_characters = "%#\r\n";
-constexpr std::array<std::string_view, 5> event_words{"force", "step", "wander", "pin",
-                                                      "hold_back"};
+constexpr std::array<std::string_view, 8> event_words{"force",     "step", "wander", "pin",
+                                                      "hold_back", "cut",  "bar",    "restore"};
 
 /// A value fills the rest of its line, where # would begin a comment.
 std::string escaped(std::string_view value) {

@@ -6,6 +6,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/examples/examples.hpp"
 #include "pliant/run/replay_events.hpp"
+#include "pliant/run/steered_walk.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
@@ -55,6 +56,59 @@ TEST(ForceEvents, AreReadAndWrittenToTheSameBits) {
   EXPECT_EQ(events[6].line, 10u);
   EXPECT_EQ(steps_of(events), 14);
   EXPECT_EQ(write_force_events(events, hexagon()), session);
+}
+
+constexpr std::string_view edits =
+    "pliant-forces 3\n"
+    "cut 0 1\n"
+    "force 1 40 0.1 -30\n"
+    "step 3\n"
+    "bar 0 3 1.75\n"
+    "restore 0 1\n"
+    "step 2\n";
+
+TEST(ForceEvents, HoldEdits) {
+  const std::vector<ForceEvent> events = parse(edits);
+  ASSERT_EQ(events.size(), 5u);
+  EXPECT_EQ(std::get<FrameworkEdit>(events[0].what), (FrameworkEdit{EditKind::cut, 0, 1}));
+  EXPECT_EQ(std::get<FrameworkEdit>(events[2].what), (FrameworkEdit{EditKind::bar, 0, 3, 1.75}));
+  EXPECT_EQ(std::get<FrameworkEdit>(events[3].what), (FrameworkEdit{EditKind::restore, 0, 1}));
+  EXPECT_EQ(write_force_events(events, hexagon()), edits);
+  EXPECT_EQ(edits_text(events, hexagon()),
+            "after step 0: cut 0 - 1; after step 3: bar 0 - 3, 1.75 Angstrom; "
+            "after step 3: restore 0 - 1");
+  EXPECT_EQ(edits_text({}, hexagon()), "");
+}
+
+TEST(ForceEvents, EditsAreReplayedToTheBitsOfAWalk) {
+  SteeredWalk walk(hexagon(), State(ring(6).positions));
+  walk.start();
+  const std::vector<JointForce> push{{1, {40.0, 0.1, -30.0}}};
+  walk.edit(std::vector<FrameworkEdit>{{EditKind::cut, 0, 1}});
+  for (int k = 0; k < 3; ++k) walk.pull(push);
+  walk.edit(std::vector<FrameworkEdit>{{EditKind::bar, 0, 3, 1.75}, {EditKind::restore, 0, 1}});
+  for (int k = 0; k < 2; ++k) walk.pull({});
+  State state(ring(6).positions);
+  const RunSummary summary = replay_events(hexagon(), state, parse(edits), {}, {});
+  EXPECT_TRUE(test::same_bits(state.positions, walk.state().positions));
+  EXPECT_EQ(summary.steps, 5);
+  EXPECT_NEAR(distance(state.positions[0], state.positions[3]), 1.75, 1e-5);
+}
+
+TEST(ForceEvents, SayWhatIsWrongWithAnEdit) {
+  EXPECT_EQ(refusal("pliant-forces 3\ncut 0\n"),
+            "f.txt:2: cut: expected two joints, found 1 fields");
+  EXPECT_EQ(refusal("pliant-forces 3\nbar 0 1\n"),
+            "f.txt:2: bar: expected two joints and a length, found 2 fields");
+  EXPECT_EQ(refusal("pliant-forces 3\nbar 0 1 -2\n"),
+            "f.txt:2: bar: expected a length above 0, found \"-2\"");
+  EXPECT_EQ(refusal("pliant-forces 3\ncut 0 9\n"), "f.txt:2: joint: 9 of 6 does not exist");
+  EXPECT_EQ(refusal("pliant-forces 2\ncut 0 1\n"),
+            "f.txt:2: expected set, pin, force, step or wander, found \"cut\"");
+  EXPECT_EQ(refused_replay("pliant-forces 3\nstep\ncut 0 2\nstep\n"),
+            "f.txt:3: cut 0 - 2: neither a bar nor a contact joins them");
+  EXPECT_EQ(refused_replay("pliant-forces 3\nrestore 0 1\nstep\n"),
+            "f.txt:2: restore 0 - 1: is as it was at the start");
 }
 
 TEST(ForceEvents, KnowTheirVersion) {

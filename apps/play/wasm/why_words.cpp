@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "why_words.hpp"
+
+#include <algorithm>
+
+#include "pair_words.hpp"
+#include "pliant/base/number.hpp"
+
+namespace pliant::play {
+namespace {
+
+/// A joint that goes so far in the trial steps is not held.
+constexpr double not_held = 0.5;  // Angstrom
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// "hydrophobic contacts": the table of kinds has the word, others take an s.
+std::string plural_of(const std::string& singular) {
+  for (const MolecularContactKindEntry& row : molecular_contact_kinds())
+    if (row.singular == singular) return std::string(row.plural);
+  return singular + "s";
+}
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const bool is_last = k + 1 == parts.size();
+    text += (k == 0 ? "" : is_last ? " and " : ", ") + parts[k];
+  }
+  return text;
+}
+
+std::string capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+  return text;
+}
+
+/// Angstrom with one digit: trial steps tell no more.
+std::string length_text(double length) {
+  return number_text(0.1 * double(long(10.0 * length + 0.5)), 4) + " Å";
+}
+
+}  // namespace
+
+std::vector<HolderLine> HeldWords::lines() const {
+  std::vector<HolderLine> all;
+  for (const Holder& holder : held.holders) {
+    const std::string a = start.atoms.label(holder.a), b = start.atoms.label(holder.b);
+    if (holder.kind == Holder::Kind::pin) {
+      all.push_back({"pin of " + a, "pin", holder.a, holder.b, holder.load, false});
+    } else if (holder.kind == Holder::Kind::pressed) {
+      all.push_back({a + " touches " + b, "touch", holder.a, holder.b, holder.load, false});
+    } else {
+      const std::string what = what_joins(start, framework, holder.a, holder.b);
+      all.push_back({what + " " + a + " – " + b, what, holder.a, holder.b, holder.load, true});
+    }
+  }
+  return all;
+}
+
+/// "3 hydrogen bonds, 1 hydrophobic contact and a pin".
+std::string HeldWords::carried() const {
+  std::vector<std::string> kinds;
+  std::vector<std::size_t> counts;
+  for (const HolderLine& line : lines()) {
+    const auto at = std::ranges::find(kinds, line.what);
+    if (at == kinds.end()) {
+      kinds.push_back(line.what);
+      counts.push_back(1);
+    } else {
+      ++counts[std::size_t(at - kinds.begin())];
+    }
+  }
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    if (kinds[k] == "touch")
+      parts.push_back(counted(counts[k], "atom in its way", "atoms in its way"));
+    else
+      parts.push_back(counted(counts[k], kinds[k], plural_of(kinds[k])));
+  }
+  return listed(parts);
+}
+
+std::string HeldWords::own_shape() const {
+  if (held.taut)
+    return "at the end of its reach: taut from " + start.atoms.label(held.taut->joints.back()) + " to " +
+           start.atoms.label(held.taut->joints.front());
+  return "";
+}
+
+/// Only where it says more than that two atoms are bonded.
+std::string HeldWords::cluster() const {
+  const ClusterList& found = shown.clusters;
+  if (joint >= found.of_body.size() || found.of_body[joint] >= found.count(20)) return "";
+  return "part of a rigid cluster of " +
+         counted(found.sizes[found.of_body[joint]], "atom", "atoms");
+}
+
+std::string HeldWords::trial() const {
+  if (!held.is_tried || held.holders.empty()) return "";
+  const bool can_be_removed = std::ranges::any_of(
+      held.holders, [](const Holder& one) { return one.kind != Holder::Kind::pressed; });
+  if (!can_be_removed) return "";
+  if (held.frees())
+    return " Without what can be cut it gets " + length_text(held.without - held.as_it_is) +
+           " further.";
+  return " Cutting these alone does not free it.";
+}
+
+std::string HeldWords::said() const {
+  const std::string name = start.atoms.label(joint);
+  if (held.is_pinned) return name + " is pinned.";
+  if (held.as_it_is > not_held)
+    return name + " is not held: it gets on by " + length_text(held.as_it_is) + ".";
+  std::vector<std::string> parts;
+  if (const std::string shape = own_shape(); !shape.empty()) parts.push_back(shape);
+  if (const std::string rigid = cluster(); !rigid.empty()) parts.push_back(rigid);
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  const std::string by = carried();
+  if (!by.empty()) text += (text.empty() ? "held by " : ", held by ") + by;
+  if (text.empty()) text = "held by its own bonds and angles";
+  return name + " is " + text + "." + trial();
+}
+
+}  // namespace pliant::play
