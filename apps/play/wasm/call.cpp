@@ -7,6 +7,10 @@
 #include "recorded_call.hpp"
 #include "sample_call.hpp"
 #include "step_calls.hpp"
+#include "steps/order_calls.hpp"
+#include "steps/replay_calls.hpp"
+#include "steps/select_call.hpp"
+#include "steps/twin_calls.hpp"
 
 namespace pliant::play {
 namespace {
@@ -28,6 +32,16 @@ constexpr CallEntry table[] = {
     {"forces", forces},
     {"state", state},
     {"recorded", recorded},
+    {"step_limit", step_limit},
+    {"twin", begin_twin},
+    {"twin_step", twin_step},
+    {"twin_end", end_twin},
+    {"force_file", force_file},
+    {"replay", begin_replay},
+    {"replay_steps", replay_steps},
+    {"ordering_file", ordering_file},
+    {"ordering", ordering},
+    {"select", select_joints_of},
 };
 
 Reply failure(std::string_view message) {

@@ -16,12 +16,6 @@ std::unique_ptr<Session> open_session;
 /// Bytes of the states that undo goes back to.
 constexpr std::size_t kept_bytes = std::size_t{64} << 20;
 
-double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 Session::Session(Document document)
@@ -37,8 +31,22 @@ Session::Session(Document document)
 
 void Session::set(const RunOptions& options) {
   crowd_.clear();
-  walk_->set(options);
-  options_ = std::make_shared<const RunOptions>(options);
+  RunOptions wanted = with_ordering(options);
+  wanted.resolve.should_stop = [clock = clock_] { return clock->is_over(); };
+  walk_->set(wanted);
+  options_ = std::make_shared<const RunOptions>(std::move(wanted));
+}
+
+RunOptions Session::with_ordering(RunOptions options) const {
+  options.technique.ordering = options.technique.name == "input" ? ordering_ : nullptr;
+  return options;
+}
+
+void Session::order(std::shared_ptr<const Ordering> ordering) {
+  ordering_ = std::move(ordering);
+  RunOptions options = this->options();
+  if (ordering_) options.technique.name = "input";
+  set(options);
 }
 
 void Session::pin(std::vector<Joint> joints) {
@@ -50,41 +58,37 @@ void Session::pin(std::vector<Joint> joints) {
   pinned_ = std::make_shared<const std::vector<Joint>>(std::move(joints));
 }
 
-StepReport Session::report(Done done, const std::function<Frame()>& step) {
+MadeStep Session::step_of(std::vector<JointForce> forces, bool is_pull) const {
+  return {options_, pinned_, std::move(forces), is_pull, longest_step_};
+}
+
+/// A step that was stopped has been taken back: the session is as if nobody had asked for it.
+StepReport Session::report(MadeStep step, const std::function<Frame()>& make) {
   crowd_.clear();
-  StepReport report;
+  stopped_.reset();
   State before = state();
-  walk_->look_at_push([&](std::span<const Vec3> positions) {
-    report.pushed.assign(positions.begin(), positions.end());
-  });
-  report.seconds = seconds_of([&] { report.frame = step(); });
-  walk_->look_at_push({});
+  StepReport report = make_step(*walk_, *clock_, make);
+  if (report.is_stopped()) {
+    stopped_ = std::move(step);
+    return report;
+  }
   befores_.push_back(std::move(before));
   if (befores_.size() > most_befores_) befores_.pop_front();
-  done_.push_back(std::move(done));
+  done_.push_back(std::move(step));
   return report;
 }
 
 StepReport Session::pull(const std::vector<JointForce>& forces) {
-  return report({options_, pinned_, forces}, [&] { return walk_->pull(forces); });
+  return report(step_of(forces, true), [&] { return walk_->pull(forces); });
 }
 
 StepReport Session::pull_watched(const std::vector<JointForce>& forces,
                                  const std::function<void(const RepairedBar&)>& on_bar) {
-  walk_->watch(on_bar);
-  const auto leave = [&] { walk_->watch({}); };
-  try {
-    StepReport done = pull(forces);
-    leave();
-    return done;
-  } catch (...) {
-    leave();
-    throw;
-  }
+  return make_watched(*walk_, on_bar, [&] { return pull(forces); });
 }
 
 StepReport Session::wander() {
-  return report({options_, pinned_, {}, false}, [&] { return walk_->wander(); });
+  return report(step_of({}, false), [&] { return walk_->wander(); });
 }
 
 std::vector<std::unique_ptr<SteeredWalk>>& Session::crowd(std::size_t walkers, bool goes_on) {
@@ -93,19 +97,27 @@ std::vector<std::unique_ptr<SteeredWalk>>& Session::crowd(std::size_t walkers, b
   for (std::size_t number = 0; number < walkers; ++number) {
     RunOptions options = this->options();
     options.resolve.walker = number;
+    options.resolve.should_stop = {};
     crowd_.push_back(std::make_unique<SteeredWalk>(framework(), state(), options));
   }
   return crowd_;
 }
 
+const MadeStep& Session::last_step() const {
+  if (stopped_) return *stopped_;
+  if (done_.empty() || befores_.empty()) throw OptionError("again: no step has been made");
+  return done_.back();
+}
+
+const State& Session::before_last_step() const { return stopped_ ? state() : befores_.back(); }
+
 StepReport Session::again(const RunOptions& options, State& after) const {
-  if (done_.empty() || befores_.empty() || !done_.back().is_pull)
-    throw OptionError("again: the last step was no pull");
-  const Done& last = done_.back();
-  SteeredWalk other(document_.framework, befores_.back(), options);
+  const MadeStep& last = last_step();
+  if (!last.is_pull) throw OptionError("again: the last step was no pull");
+  SteeredWalk other(document_.framework, before_last_step(), with_ordering(options));
   other.pin(*last.pinned);
-  StepReport report;
-  report.seconds = seconds_of([&] { report.frame = other.pull(last.forces); });
+  if (last.longest_step > 0.0) other.hold_back(last.longest_step);
+  StepReport report = make_step(other, *clock_, [&] { return other.pull(last.forces); });
   after = other.state();
   report.frame.positions = after.positions;
   return report;
@@ -115,6 +127,7 @@ std::size_t Session::undo(std::size_t steps) {
   const std::size_t count = std::min(steps, befores_.size());
   if (count == 0) return 0;
   crowd_.clear();
+  stopped_.reset();
   State before = std::move(befores_[befores_.size() - count]);
   befores_.resize(befores_.size() - count);
   done_.resize(done_.size() - count);
@@ -122,22 +135,37 @@ std::size_t Session::undo(std::size_t steps) {
   return count;
 }
 
+namespace {
+
+void add_settings(std::vector<ForceEvent>& events, const RunOptions& options, RunOptions& set) {
+  for (const RunField& field : run_fields()) {
+    const std::string value = run_field_text(options, field);
+    if (is_no_setting(field) || value == run_field_text(set, field)) continue;
+    events.push_back({SetOption{std::string(field.name), value}});
+  }
+  set = options;
+}
+
+}  // namespace
+
 std::vector<ForceEvent> Session::events() const {
   std::vector<ForceEvent> events;
   RunOptions set;
   std::vector<Joint> pinned;
-  for (const Done& done : done_) {
-    for (const RunField& field : run_fields()) {
-      const std::string value = run_field_text(*done.options, field);
-      if (is_no_setting(field) || value == run_field_text(set, field)) continue;
-      events.push_back({SetOption{std::string(field.name), value}});
-    }
-    set = *done.options;
+  double longest_step = 0.0;
+  if (start_by_) {
+    add_settings(events, *start_by_, set);
+    events.push_back({StartWalk{}});
+  }
+  for (const MadeStep& done : done_) {
+    add_settings(events, *done.options, set);
+    if (done.longest_step != longest_step)
+      events.push_back({HoldBack{longest_step = done.longest_step}});
     if (*done.pinned != pinned) events.push_back({PinJoints{pinned = *done.pinned}});
     if (done.is_pull)
       add_pull(events, done.forces);
     else
-      add_wander(events);
+      add_wander(events, done.forces);
   }
   return events;
 }

@@ -4,21 +4,19 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "document.hpp"
 #include "kept_residuals.hpp"
 #include "pliant/perturb/force_files/force_events.hpp"
 #include "pliant/run/steered_walk.hpp"
+#include "steps/made_step.hpp"
 
 namespace pliant::play {
 
-/// The result of a step, as far as a page shows it.
-struct StepReport {
-  Frame frame;
-  std::vector<Vec3> pushed;  ///< (N) Angstrom, after the push, before anything was resolved
-  double seconds = 0.0;      ///< for push, resolve and measuring
-};
+class Replay;
+class Twin;
 
 class Session {
  public:
@@ -37,6 +35,14 @@ class Session {
   /// Sets options. Throws OptionError; nothing is changed then.
   void set(const RunOptions& options);
   void pin(std::vector<Joint> joints);
+  const std::vector<Joint>& pinned() const { return *pinned_; }
+  /// Ends steps of a person that take longer, by the clock, and takes them back; 0: never.
+  void set_step_limit(double milliseconds) { clock_->milliseconds = milliseconds; }
+  const std::shared_ptr<StepClock>& clock() const { return clock_; }
+  /// The sequence of the bars for technique `input`, in place of that of the file; null: none.
+  void order(std::shared_ptr<const Ordering> ordering);
+  /// The options with the technique's ordering, where it takes one.
+  RunOptions with_ordering(RunOptions options) const;
   /// Makes one step.
   StepReport pull(const std::vector<JointForce>& forces);
   /// The same, watching the technique bar by bar. Throws OptionError if that is not possible; no
@@ -52,6 +58,21 @@ class Session {
   /// Repeats the last pull from its start with other options, without changing the session. Throws
   /// OptionError if there was none.
   StepReport again(const RunOptions& options, State& after) const;
+  /// The last step, also one that the clock has ended, and the state before it. Throws OptionError
+  /// if there was none, or what was before it is no longer kept.
+  const MadeStep& last_step() const;
+  const State& before_last_step() const;
+  /// Makes an event of a force file happen; of several steps the first alone. Returns what a step
+  /// did. Settings that follow each other come into force together, with the next event of another
+  /// kind: settle() brings them into force after the last.
+  std::optional<StepReport> apply(const ForceEvent& event);
+  void settle();
+  /// Settings from which those of a force file begin.
+  void begin_events(const RunOptions& options) { unsettled_ = options; }
+  /// A second walker beside the session's, with another technique; null: none.
+  std::shared_ptr<Twin> twin;
+  /// A force file that is being replayed; null: none.
+  std::shared_ptr<Replay> replay;
   /// Takes back so many steps, or all that are kept. Returns how many these were.
   std::size_t undo(std::size_t steps);
   /// All steps that were not taken back, with their settings and pins.
@@ -60,25 +81,25 @@ class Session {
   ForceHeader force_header() const;
 
  private:
-  /// A step and its settings.
-  struct Done {
-    std::shared_ptr<const RunOptions> options;
-    std::shared_ptr<const std::vector<Joint>> pinned;
-    std::vector<JointForce> forces;
-    bool is_pull = true;
-  };
-
-  StepReport report(Done done, const std::function<Frame()>& step);
+  StepReport report(MadeStep step, const std::function<Frame()>& make);
+  MadeStep step_of(std::vector<JointForce> forces, bool is_pull) const;
+  void start_again();
 
   Document document_;
   KeptResiduals residuals_;
   std::unique_ptr<SteeredWalk> walk_;
   std::shared_ptr<const RunOptions> options_;
   std::shared_ptr<const std::vector<Joint>> pinned_;
-  std::vector<Done> done_;     ///< all steps
-  std::deque<State> befores_;  ///< the states before the last ones
+  std::vector<MadeStep> done_;       ///< all steps
+  std::optional<MadeStep> stopped_;  ///< the last one, where the clock has ended it
+  std::deque<State> befores_;        ///< the states before the last ones
   std::size_t most_befores_;
   std::vector<std::unique_ptr<SteeredWalk>> crowd_;
+  std::shared_ptr<StepClock> clock_ = std::make_shared<StepClock>();
+  std::shared_ptr<const Ordering> ordering_;
+  std::optional<RunOptions> unsettled_;         ///< settings that are not in force yet
+  std::shared_ptr<const RunOptions> start_by_;  ///< made the start whole; null: the usual ones
+  double longest_step_ = 0.0;                   ///< Angstrom, as MadeStep
 };
 
 /// The fields of a frame in a reply, without its positions.

@@ -61,6 +61,11 @@ void SteeredWalk::replace(std::unique_ptr<Motion> motion) {
   motion_ = std::move(motion);
 }
 
+const ResolveSummary& SteeredWalk::resolved() const {
+  static const ResolveSummary none;
+  return motion_ ? motion_->resolved() : none;
+}
+
 RunSummary SteeredWalk::summary() const {
   RunSummary all = done_;
   if (motion_) add(all, motion_->summary());

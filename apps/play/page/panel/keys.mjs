@@ -21,6 +21,10 @@ const HELP = [
   [['R'], 'record, or stop recording'],
   [['Z'], 'undo the last pull'],
   [['F'], 'see all of it'],
+  [['B'], 'zoom to fit a bar: the one in hand, or under the pointer; or a double click'],
+  [['K'], 'film of a repair: pause, go on'],
+  [['J', 'L'], 'film: one bar back, one further'],
+  [['Esc'], 'film: skip to the end'],
   [['W'], 'wander, or stop'],
   [['T'], 'dark or light'],
   [['?'], 'this help'],
@@ -43,6 +47,9 @@ export class Keys {
       f: () => this.fit(), w: () => $('wander').click(), t: () => $('theme').click(),
       '?': () => $('help').showModal(), ' ': () => $('play').click(),
       ',': () => this.choose(-1), '.': () => this.choose(1),
+      b: () => this.fitBar.byKey(), k: () => this.resolution.pause(!this.resolution.isPaused),
+      j: () => this.resolution.stepBy(-1), l: () => this.resolution.stepBy(1),
+      escape: () => this.resolution.finish(),
       '+': () => this.zoom(0.85), '=': () => this.zoom(0.85), '-': () => this.zoom(1 / 0.85),
     };
   }

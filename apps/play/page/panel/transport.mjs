@@ -7,7 +7,7 @@ import {pdbText} from '../record/pdb.mjs';
 const RATE = 30;  // frames a second at speed 1
 
 /** Hands a file to the browser. */
-function download(parts, name, type) {
+export function download(parts, name, type) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob(parts, {type}));
   link.download = name;
