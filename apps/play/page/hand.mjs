@@ -24,6 +24,7 @@ export class Hand {
     this.nextLook = 0;
     this.onPush = null;  // takes a push in place of the steps: bar by bar
     this.onSay = () => {};
+    this.takers = {};  // by tool: takes the joint of a click in place of the pull
     this.listen();
   }
 
@@ -63,10 +64,16 @@ export class Hand {
     this.met = null;
     if (event.button !== 0 || event.shiftKey || this.tool === 'turn') return;
     const met = this.met = this.view.pick(at.x, at.y, REACH[event.pointerType] ?? REACH.mouse);
-    if (met?.joint !== undefined && !this.isReplay) this.meet(met.joint, at, event.ctrlKey || event.metaKey);
+    const mayMeet = !this.isReplay || this.tool in this.takers;
+    if (met?.joint !== undefined && mayMeet) this.meet(met.joint, at, event.ctrlKey || event.metaKey);
   }
 
   meet(joint, at, withControl) {
+    if (this.takers[this.tool] && !withControl) {
+      this.action = 'none';
+      this.takers[this.tool](joint);
+      return;
+    }
     if (this.tool === 'pin' || withControl) {
       this.action = 'none';
       this.session.togglePin(joint);

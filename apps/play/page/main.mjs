@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
 // The page: makes its parts and lets them hear of each other.
 import {Hand} from './hand.mjs';
+import {Beside} from './panel/beside.mjs';
 import {Compare} from './panel/compare.mjs';
 import {Demo} from './panel/demo.mjs';
 import {$, fold, guarded, say} from './panel/dom.mjs';
 import {Ensemble} from './panel/ensemble.mjs';
 import {Hint} from './panel/hint.mjs';
 import {Constraints} from './panel/constraints.mjs';
+import {FitBar} from './panel/fit_bar.mjs';
+import {Forces} from './panel/forces.mjs';
 import {Keys} from './panel/keys.mjs';
 import {Look} from './panel/look.mjs';
+import {Measure} from './panel/measure.mjs';
 import {Open} from './panel/open.mjs';
+import {Order} from './panel/order.mjs';
 import {Path} from './panel/path.mjs';
 import {Plots} from './panel/plots.mjs';
 import {Readout} from './panel/readout.mjs';
 import {Resolution} from './panel/resolution.mjs';
 import {Resolve} from './panel/resolve.mjs';
+import {Select} from './panel/select.mjs';
+import {Stopped} from './panel/stopped.mjs';
 import {Transport} from './panel/transport.mjs';
 import {Tour} from './panel/tour.mjs';
 import {Wander} from './panel/wander.mjs';
@@ -24,6 +31,7 @@ import {Host} from './host.mjs';
 import {Live} from './live.mjs';
 import {Session} from './session.mjs';
 import {Stage} from './stage.mjs';
+import {Labels} from './view/labels.mjs';
 import {View} from './view/scene.mjs';
 
 const FIRST = 'three_helices.pdb';  // opened where nothing was given
@@ -53,6 +61,14 @@ function makeParts() {
   parts.path = new Path(stage, session);
   parts.ensemble = new Ensemble(parts);
   parts.resolution = new Resolution(stage, session, view, hand);
+  parts.beside = parts.compare.beside = new Beside(stage, session, view, parts.resolution);
+  parts.stopped = new Stopped(session, stage);
+  parts.forces = parts.open.forces = new Forces(session, stage, parts.beside);
+  parts.order = parts.open.order = new Order(session, stage, view);
+  parts.fitBar = new FitBar(parts);
+  parts.labels = new Labels(view, $('labels'));
+  parts.measure = new Measure(parts);
+  parts.select = new Select(parts);
   parts.plots = new Plots(stage);
   parts.why = new Why(parts);
   parts.constraints = new Constraints(parts);
@@ -113,7 +129,10 @@ function loop(parts) {
     stage.tick(now);
     plots.tick(now);
     view.stale = view.quality.tick(now, view.stale) || view.stale;
-    if (view.stale) view.draw();
+    if (view.stale) {
+      view.draw();
+      parts.labels.draw();
+    }
     session.live?.tick(now);
     costs.push(performance.now() - began);
     if (costs.length > 100) costs.shift();
@@ -150,7 +169,7 @@ async function begin() {
   loop(parts);
   const facts = await parts.session.boot();
   const files = JSON.parse(await textInside('examples-inside'));
-  for (const part of [parts.resolve, parts.open, parts.compare]) part.fill(facts, files);
+  for (const part of [parts.resolve, parts.open, parts.compare, parts.forces]) part.fill(facts, files);
   $('title').textContent = 'Open a file, drop one here, or choose an example';
   const hasFile = await guarded(() => given(parts));
   const told = $('message-text').textContent;

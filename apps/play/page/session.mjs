@@ -36,6 +36,7 @@ export class Session extends EventTarget {
     this.strokes = [];  // numbers of pulls of each drag or push, for undo
     this.queue = Promise.resolve();
     this.live = null;  // the run that is shown, in place of the solver
+    this.stepLimit = 100;  // ms after which a step is ended and taken back; 0: never
   }
 
   tell(name, detail) {
@@ -91,8 +92,10 @@ export class Session extends EventTarget {
     this.pins = new Set(reply.pinned ?? []);
     this.strokes = [];
     if (reply.settings) this.settings = reply.settings;
+    this.isNewStroke = true;
     this.tell('open', this.model);
     await this.change({});
+    await this.limitSteps(this.stepLimit);
     return this.model;
   }
 
@@ -103,12 +106,21 @@ export class Session extends EventTarget {
     this.tell('settings', this.settings);
   }
 
+  /** A step that takes longer is ended and taken back; 0: none is. */
+  async limitSteps(milliseconds) {
+    await this.ask('step_limit', {milliseconds});
+    this.stepLimit = milliseconds;
+  }
+
   /** One step; `forces` as [[joint, x, y, z], ...], kJ/(mol Angstrom). */
   async pull(forces, isNewStroke = true) {
     if (this.live) return this.live.pull(forces);
     const step = await this.ask('pull', {forces, pins: [...this.pins]});
-    if (isNewStroke || this.isSealed || !this.strokes.length) this.strokes.push(0);
+    this.isNewStroke ||= isNewStroke || this.isSealed || !this.strokes.length;
     this.isSealed = false;
+    if (step.stopped) return this.stop(step);
+    if (this.isNewStroke) this.strokes.push(0);
+    this.isNewStroke = false;
     this.strokes[this.strokes.length - 1] += 1;
     return this.stand(step, forces);
   }
@@ -116,7 +128,7 @@ export class Session extends EventTarget {
   /** The push bar by bar; afterwards the walker stands where pull() would have left it. */
   async resolution(forces) {
     const shown = await this.ask('resolution', {forces, pins: [...this.pins]});
-    this.strokes.push(1);
+    if (!shown.stopped) this.strokes.push(1);
     return shown;
   }
 
@@ -128,6 +140,12 @@ export class Session extends EventTarget {
     if (this.live) return this.live.effort(way, moved);
     const share = 1 - (this.settings.damping ?? 0);
     return way.map((x, c) => x - share * moved[c]);
+  }
+
+  /** A step that did not arrive in time: it has been taken back, and all stands where it was. */
+  stop(step) {
+    this.tell('stopped', step);
+    return step;
   }
 
   stand(step, forces = []) {

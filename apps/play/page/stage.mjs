@@ -24,9 +24,11 @@ export class Stage extends EventTarget {
     this.isReplay = false;
     this.colouring = 'element';
     this.showStrain = true;
+    this.selected = null;  // shares of 1 by joint, marked as the wave is
     session.on('open', (model) => this.begin(model, session.positions));
     session.on('step', (step) => this.take(step));
     session.on('undone', (before) => this.undone(before));
+    session.on('stopped', (step) => this.stopped(step));
     session.on('pins', () => this.mark());
     session.on('edited', (model) => this.edited(model));
   }
@@ -44,7 +46,7 @@ export class Stage extends EventTarget {
     this.isReplay = false;
     this.frames.clear();
     this.history = [];
-    this.at = null;
+    this.at = this.film = this.stop = null;
     this.strain = new Float32Array(model.bars.length / 2);
     this.fading = false;
     this.residuals = null;
@@ -95,6 +97,7 @@ export class Stage extends EventTarget {
   take(step) {
     const isSeen = this.at === null || !this.session.live;  // a run goes on while its past is looked at
     if (isSeen) this.at = null;
+    this.stop = null;
     const frame = Object.fromEntries(KEPT.map((name) => [name, step[name]]));
     this.remember(frame);
     if (this.recording && !this.frames.add(frame)) this.stopFull();
@@ -102,6 +105,14 @@ export class Stage extends EventTarget {
     if (isSeen) this.paint(frame);
     this.last = step;
     this.tell('stepped', step);
+    this.tell('changed');
+  }
+
+  /** A step that was taken back: nothing has moved; red is what the push had broken. */
+  stopped(step) {
+    this.at = null;
+    this.stop = step.stopped;
+    this.paint({positions: this.session.positions, broken: step.broken});
     this.tell('changed');
   }
 
@@ -122,7 +133,7 @@ export class Stage extends EventTarget {
     while (this.history.length && this.history.at(-1).step > step) this.history.pop();
     this.frames.dropAfter(step);
     this.last = this.frames.at(-1);
-    this.at = null;
+    this.at = this.stop = null;
     this.fluctuation = new Fluctuation(this.frames.at(0).positions, this.measured());
     for (const frame of this.frames.list.slice(1)) this.fluctuation.add(frame.positions);
     this.paint({positions});
@@ -190,7 +201,7 @@ export class Stage extends EventTarget {
   }
 
   /** Pins, and the wave of the repair: shares of 1 by joint. */
-  mark(wave = null) {
+  mark(wave = this.selected) {
     if (!this.model) return;
     const {marks} = this.view.textures;
     for (let joint = 0; joint < this.model.joints; ++joint) {

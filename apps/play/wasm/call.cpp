@@ -9,6 +9,10 @@
 #include "sample_call.hpp"
 #include "step_calls.hpp"
 #include "why_call.hpp"
+#include "steps/order_calls.hpp"
+#include "steps/replay_calls.hpp"
+#include "steps/select_call.hpp"
+#include "steps/twin_calls.hpp"
 
 namespace pliant::play {
 namespace {
@@ -34,6 +38,16 @@ constexpr CallEntry table[] = {
     {"edited", edited},
     {"pair", pair},
     {"why", why},
+    {"step_limit", step_limit},
+    {"twin", begin_twin},
+    {"twin_step", twin_step},
+    {"twin_end", end_twin},
+    {"force_file", force_file},
+    {"replay", begin_replay},
+    {"replay_steps", replay_steps},
+    {"ordering_file", ordering_file},
+    {"ordering", ordering},
+    {"select", select_joints_of},
 };
 
 Reply failure(std::string_view message) {

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "open_calls.hpp"
 
+#include <algorithm>
+
 #include "pliant/base/version.hpp"
 #include "pliant/examples/examples.hpp"
 #include "pliant/generate/random_graphs.hpp"
 #include "pliant/model/model.hpp"
+#include "pliant/order/ordering.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "session.hpp"
 
 namespace pliant::play {
 namespace {
+
+/// Such techniques go bar by bar, and can be watched.
+bool is_ordering(std::string_view name) {
+  return std::ranges::any_of(orderings(), [&](const auto& row) { return row.name == name; });
+}
 
 Json techniques_told() {
   Json rows = Json::array();
@@ -19,6 +27,7 @@ Json techniques_told() {
                     {"title", row.summary},
                     {"weightings", row.has_weighting},
                     {"limits", row.knows_limits},
+                    {"watched", is_ordering(row.name)},
                     {"forestsOnly", row.forests_only}});
   return rows;
 }

@@ -16,12 +16,6 @@ std::unique_ptr<Session> open_session;
 /// Bytes of the states that undo goes back to.
 constexpr std::size_t kept_bytes = std::size_t{64} << 20;
 
-double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 Session::Session(Document document)
@@ -37,8 +31,22 @@ Session::Session(Document document)
 
 void Session::set(const RunOptions& options) {
   crowd_.clear();
-  walk_->set(options);
-  options_ = std::make_shared<const RunOptions>(options);
+  RunOptions wanted = with_ordering(options);
+  wanted.resolve.should_stop = [clock = clock_] { return clock->is_over(); };
+  walk_->set(wanted);
+  options_ = std::make_shared<const RunOptions>(std::move(wanted));
+}
+
+RunOptions Session::with_ordering(RunOptions options) const {
+  options.technique.ordering = options.technique.name == "input" ? ordering_ : nullptr;
+  return options;
+}
+
+void Session::order(std::shared_ptr<const Ordering> ordering) {
+  ordering_ = std::move(ordering);
+  RunOptions options = this->options();
+  if (ordering_) options.technique.name = "input";
+  set(options);
 }
 
 void Session::pin(std::vector<Joint> joints) {
@@ -57,17 +65,18 @@ void Session::measure_anew() {
   measured_ = edited;
 }
 
-void Session::keep(Before before, std::vector<JointForce> forces, Act act) {
+void Session::keep(Before before, MadeStep step) {
   befores_.push_back(std::move(before));
   if (befores_.size() > most_befores_) befores_.pop_front();
-  done_.push_back({options_, pinned_, walk_->edited(), std::move(forces), act});
+  done_.push_back(std::move(step));
 }
 
 void Session::edit(const std::vector<FrameworkEdit>& edits) {
   crowd_.clear();
+  stopped_.reset();
   Before before{state(), walk_->edited()};
   walk_->edit(edits);
-  keep(std::move(before), {}, Act::edit);
+  keep(std::move(before), step_of({}, Act::edit));
   measure_anew();
 }
 
@@ -75,40 +84,34 @@ Document Session::shown() const {
   return walk_->edited() ? after_edits(document_, *walk_->edited()) : document_;
 }
 
-StepReport Session::report(std::vector<JointForce> forces, Act act,
-                           const std::function<Frame()>& step) {
+MadeStep Session::step_of(std::vector<JointForce> forces, Act act) const {
+  return {options_, pinned_, walk_->edited(), std::move(forces), act, longest_step_};
+}
+
+/// A step that was stopped has been taken back: the session is as if nobody had asked for it.
+StepReport Session::report(MadeStep step, const std::function<Frame()>& make) {
   crowd_.clear();
-  StepReport report;
+  stopped_.reset();
   Before before{state(), walk_->edited()};
-  walk_->look_at_push([&](std::span<const Vec3> positions) {
-    report.pushed.assign(positions.begin(), positions.end());
-  });
-  report.seconds = seconds_of([&] { report.frame = step(); });
-  walk_->look_at_push({});
-  keep(std::move(before), std::move(forces), act);
+  StepReport report = make_step(*walk_, *clock_, make);
+  if (report.is_stopped())
+    stopped_ = std::move(step);
+  else
+    keep(std::move(before), std::move(step));
   return report;
 }
 
 StepReport Session::pull(const std::vector<JointForce>& forces) {
-  return report(forces, Act::pull, [&] { return walk_->pull(forces); });
+  return report(step_of(forces, Act::pull), [&] { return walk_->pull(forces); });
 }
 
 StepReport Session::pull_watched(const std::vector<JointForce>& forces,
                                  const std::function<void(const RepairedBar&)>& on_bar) {
-  walk_->watch(on_bar);
-  const auto leave = [&] { walk_->watch({}); };
-  try {
-    StepReport done = pull(forces);
-    leave();
-    return done;
-  } catch (...) {
-    leave();
-    throw;
-  }
+  return make_watched(*walk_, on_bar, [&] { return pull(forces); });
 }
 
 StepReport Session::wander() {
-  return report({}, Act::wander, [&] { return walk_->wander(); });
+  return report(step_of({}, Act::wander), [&] { return walk_->wander(); });
 }
 
 std::vector<std::unique_ptr<SteeredWalk>>& Session::crowd(std::size_t walkers, bool goes_on) {
@@ -117,20 +120,30 @@ std::vector<std::unique_ptr<SteeredWalk>>& Session::crowd(std::size_t walkers, b
   for (std::size_t number = 0; number < walkers; ++number) {
     RunOptions options = this->options();
     options.resolve.walker = number;
+    options.resolve.should_stop = {};
     crowd_.push_back(std::make_unique<SteeredWalk>(framework(), state(), options));
   }
   return crowd_;
 }
 
+const MadeStep& Session::last_step() const {
+  if (stopped_) return *stopped_;
+  if (done_.empty() || befores_.empty()) throw OptionError("again: no step has been made");
+  return done_.back();
+}
+
+const State& Session::before_last_step() const {
+  return stopped_ ? state() : befores_.back().state;
+}
+
 StepReport Session::again(const RunOptions& options, State& after) const {
-  if (done_.empty() || befores_.empty() || done_.back().act != Act::pull)
-    throw OptionError("again: the last step was no pull");
-  const Done& last = done_.back();
-  SteeredWalk other(last.edited ? last.edited->framework : document_.framework,
-                    befores_.back().state, options);
+  const MadeStep& last = last_step();
+  if (last.act != Act::pull) throw OptionError("again: the last step was no pull");
+  SteeredWalk other(last.edited ? last.edited->framework : document_.framework, before_last_step(),
+                    with_ordering(options));
   other.pin(*last.pinned);
-  StepReport report;
-  report.seconds = seconds_of([&] { report.frame = other.pull(last.forces); });
+  if (last.longest_step > 0.0) other.hold_back(last.longest_step);
+  StepReport report = make_step(other, *clock_, [&] { return other.pull(last.forces); });
   after = other.state();
   report.frame.positions = after.positions;
   return report;
@@ -140,6 +153,7 @@ std::size_t Session::undo(std::size_t steps) {
   const std::size_t count = std::min(steps, befores_.size());
   if (count == 0) return 0;
   crowd_.clear();
+  stopped_.reset();
   Before before = std::move(befores_[befores_.size() - count]);
   befores_.resize(befores_.size() - count);
   done_.resize(done_.size() - count);
@@ -148,42 +162,38 @@ std::size_t Session::undo(std::size_t steps) {
   return count;
 }
 
-void Session::apply(const ForceEvent& event, const std::function<void(const StepReport&)>& show) {
-  if (const auto* chosen = std::get_if<SetOption>(&event.what)) {
-    RunOptions wanted = options();
-    set_run_field(wanted, chosen->name, chosen->value);
-    set(wanted);
-  } else if (const auto* pins = std::get_if<PinJoints>(&event.what)) {
-    pin(pins->joints);
-  } else if (const auto* one = std::get_if<FrameworkEdit>(&event.what)) {
-    edit({*one});
-  } else if (const auto* steps = std::get_if<PullStep>(&event.what)) {
-    for (std::int64_t k = 0; k < steps->count; ++k) show(pull(steps->forces));
-  } else if (const auto* steps = std::get_if<WanderSteps>(&event.what);
-             steps && steps->forces.empty()) {
-    for (std::int64_t k = 0; k < steps->count; ++k) show(wander());
-  } else {
-    throw OptionError("the page has no start, no hold_back, and no forces with wander");
+namespace {
+
+void add_settings(std::vector<ForceEvent>& events, const RunOptions& options, RunOptions& set) {
+  for (const RunField& field : run_fields()) {
+    const std::string value = run_field_text(options, field);
+    if (is_no_setting(field) || value == run_field_text(set, field)) continue;
+    events.push_back({SetOption{std::string(field.name), value}});
   }
+  set = options;
 }
+
+}  // namespace
 
 std::vector<ForceEvent> Session::events() const {
   std::vector<ForceEvent> events;
   RunOptions set;
   std::vector<Joint> pinned;
   std::size_t edits = 0;
-  for (const Done& done : done_) {
-    for (const RunField& field : run_fields()) {
-      const std::string value = run_field_text(*done.options, field);
-      if (is_no_setting(field) || value == run_field_text(set, field)) continue;
-      events.push_back({SetOption{std::string(field.name), value}});
-    }
-    set = *done.options;
+  double longest_step = 0.0;
+  if (start_by_) {
+    add_settings(events, *start_by_, set);
+    events.push_back({StartWalk{}});
+  }
+  for (const MadeStep& done : done_) {
+    add_settings(events, *done.options, set);
+    if (done.longest_step != longest_step)
+      events.push_back({HoldBack{longest_step = done.longest_step}});
     if (*done.pinned != pinned) events.push_back({PinJoints{pinned = *done.pinned}});
     for (const std::size_t all = done.edited ? done.edited->edits.size() : 0; edits < all; ++edits)
       events.push_back({done.edited->edits[edits]});
     if (done.act == Act::pull) add_pull(events, done.forces);
-    if (done.act == Act::wander) add_wander(events);
+    if (done.act == Act::wander) add_wander(events, done.forces);
   }
   return events;
 }

@@ -11,15 +11,12 @@
 #include "kept_residuals.hpp"
 #include "pliant/perturb/force_files/force_events.hpp"
 #include "pliant/run/steered_walk.hpp"
+#include "steps/made_step.hpp"
 
 namespace pliant::play {
 
-/// The result of a step, as far as a page shows it.
-struct StepReport {
-  Frame frame;
-  std::vector<Vec3> pushed;  ///< (N) Angstrom, after the push, before anything was resolved
-  double seconds = 0.0;      ///< for push, resolve and measuring
-};
+class Replay;
+class Twin;
 
 class Session {
  public:
@@ -44,6 +41,14 @@ class Session {
   /// Cuts, adds and restores bars and contacts; undo takes it back like a step. Throws OptionError;
   /// nothing is changed then.
   void edit(const std::vector<FrameworkEdit>& edits);
+  const std::vector<Joint>& pinned() const { return *pinned_; }
+  /// Ends steps of a person that take longer, by the clock, and takes them back; 0: never.
+  void set_step_limit(double milliseconds) { clock_->milliseconds = milliseconds; }
+  const std::shared_ptr<StepClock>& clock() const { return clock_; }
+  /// The sequence of the bars for technique `input`, in place of that of the file; null: none.
+  void order(std::shared_ptr<const Ordering> ordering);
+  /// The options with the technique's ordering, where it takes one.
+  RunOptions with_ordering(RunOptions options) const;
   /// Makes one step.
   StepReport pull(const std::vector<JointForce>& forces);
   /// The same, watching the technique bar by bar. Throws OptionError if that is not possible; no
@@ -59,8 +64,21 @@ class Session {
   /// Repeats the last pull from its start with other options, without changing the session. Throws
   /// OptionError if there was none.
   StepReport again(const RunOptions& options, State& after) const;
-  /// Does what an event of a force file says, and shows each step of it. Throws OptionError.
-  void apply(const ForceEvent& event, const std::function<void(const StepReport&)>& show);
+  /// The last step, also one that the clock has ended, and the state before it. Throws OptionError
+  /// if there was none, or what was before it is no longer kept.
+  const MadeStep& last_step() const;
+  const State& before_last_step() const;
+  /// Makes an event of a force file happen; of several steps the first alone. Returns what a step
+  /// did. Settings that follow each other come into force together, with the next event of another
+  /// kind: settle() brings them into force after the last.
+  std::optional<StepReport> apply(const ForceEvent& event);
+  void settle();
+  /// Settings from which those of a force file begin.
+  void begin_events(const RunOptions& options) { unsettled_ = options; }
+  /// A second walker beside the session's, with another technique; null: none.
+  std::shared_ptr<Twin> twin;
+  /// A force file that is being replayed; null: none.
+  std::shared_ptr<Replay> replay;
   /// Takes back so many steps and edits, or all that are kept. Returns how many these were.
   std::size_t undo(std::size_t steps);
   /// All steps and edits that were not taken back, with their settings and pins.
@@ -69,25 +87,17 @@ class Session {
   ForceHeader force_header() const;
 
  private:
-  enum class Act : std::uint8_t { pull, wander, edit };
-
-  /// A step or an edit, and its settings.
-  struct Done {
-    std::shared_ptr<const RunOptions> options;
-    std::shared_ptr<const std::vector<Joint>> pinned;
-    std::shared_ptr<const EditedFramework> edited;
-    std::vector<JointForce> forces;
-    Act act = Act::pull;
-  };
   /// What undo goes back to.
   struct Before {
     State state;
     std::shared_ptr<const EditedFramework> edited;
   };
 
-  StepReport report(std::vector<JointForce> forces, Act act, const std::function<Frame()>& step);
-  void keep(Before before, std::vector<JointForce> forces, Act act);
+  StepReport report(MadeStep step, const std::function<Frame()>& make);
+  MadeStep step_of(std::vector<JointForce> forces, Act act) const;
+  void keep(Before before, MadeStep step);
   void measure_anew();
+  void start_again();
 
   Document document_;
   std::shared_ptr<const EditedFramework> measured_;  ///< what residuals_ are of; null: the document
@@ -95,10 +105,16 @@ class Session {
   std::unique_ptr<SteeredWalk> walk_;
   std::shared_ptr<const RunOptions> options_;
   std::shared_ptr<const std::vector<Joint>> pinned_;
-  std::vector<Done> done_;
-  std::deque<Before> befores_;  ///< the last ones
+  std::vector<MadeStep> done_;       ///< all steps and edits
+  std::optional<MadeStep> stopped_;  ///< the last step, where the clock has ended it
+  std::deque<Before> befores_;       ///< before the last ones
   std::size_t most_befores_;
   std::vector<std::unique_ptr<SteeredWalk>> crowd_;
+  std::shared_ptr<StepClock> clock_ = std::make_shared<StepClock>();
+  std::shared_ptr<const Ordering> ordering_;
+  std::optional<RunOptions> unsettled_;         ///< settings that are not in force yet
+  std::shared_ptr<const RunOptions> start_by_;  ///< made the start whole; null: the usual ones
+  double longest_step_ = 0.0;                   ///< Angstrom, as MadeStep
 };
 
 /// The fields of a frame in a reply, without its positions.

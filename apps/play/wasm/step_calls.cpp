@@ -6,6 +6,8 @@
 #include "pliant/framework/fingerprint.hpp"
 #include "session.hpp"
 #include "settings.hpp"
+#include "steps/step_reply.hpp"
+#include "steps/visits.hpp"
 
 namespace pliant::play {
 
@@ -54,20 +56,21 @@ Json fields_of(const Frame& frame) {
           {"overlap", frame.max_overlap}};
 }
 
-namespace {
-
 Reply reply_of(const StepReport& report) {
   Reply reply;
   reply.fields = fields_of(report.frame);
   reply.fields["seconds"] = report.seconds;
+  if (report.is_stopped())
+    reply.fields["stopped"] = {{"worst", report.resolved.worst_bar},
+                               {"residual", report.resolved.max_residual},
+                               {"sweeps", report.resolved.sweeps},
+                               {"milliseconds", session().clock()->milliseconds}};
   reply.add("positions", numbers_of(report.frame.positions));
   return reply;
 }
 
-/// Adds what each bar has left, and had before it was resolved: (length - rest) / rest.
-Reply with_bars(const StepReport& report) {
+Reply with_bars(const StepReport& report, KeptResiduals& residuals) {
   Reply reply = reply_of(report);
-  KeptResiduals& residuals = session().residuals();
   residuals.look(report.pushed);  // first: it is the last step but for what was pushed
   reply.add("broken", residuals.all());
   residuals.look(report.frame.positions);
@@ -77,36 +80,30 @@ Reply with_bars(const StepReport& report) {
   return reply;
 }
 
-/// What a person sees of a step bar by bar: enough for an hour of slow motion.
-constexpr std::size_t most_events = 100000;
-
-struct Visits {
-  std::vector<std::int32_t> events;  ///< (4 E) bar, near joint, far joint, sweep
-  std::vector<float> moved;          ///< (6 E) where both joints are after it (Angstrom)
-  std::int32_t sweep = 0;
-  std::vector<bool> seen;
-  bool is_whole = true;
-
-  /// A sweep visits each bar once: the next one has begun when a bar comes again.
-  void note(const RepairedBar& visit) {
-    if (seen[visit.bar]) {
-      ++sweep;
-      seen.assign(seen.size(), false);
-    }
-    seen[visit.bar] = true;
-    if (events.size() / 4 >= most_events) {
-      is_whole = false;
-      return;
-    }
-    for (std::uint32_t number : {visit.bar, visit.near, visit.far})
-      events.push_back(static_cast<std::int32_t>(number));
-    events.push_back(sweep);
-    for (Joint joint : {visit.near, visit.far}) {
-      const Vec3 x = visit.positions[joint];
-      for (double part : {x.x, x.y, x.z}) moved.push_back(static_cast<float>(part));
-    }
+Reply film_of(const std::function<StepReport(const OnBar*)>& step, KeptResiduals& residuals) {
+  Visits visits(session().framework().bar_count());
+  const OnBar note = [&](const RepairedBar& visit) { visits.note(visit); };
+  std::string why;
+  StepReport report;
+  try {
+    report = step(&note);
+  } catch (const OptionError& error) {
+    why = error.what();
+    report = step(nullptr);
   }
-};
+  Reply reply = with_bars(report, residuals);
+  reply.add("pushed", numbers_of(report.pushed));
+  reply.fields["whole"] = true;
+  if (why.empty()) {
+    visits.add_to(reply);
+  } else {
+    reply.fields["events"] = nullptr;
+    reply.fields["why"] = why;
+  }
+  return reply;
+}
+
+namespace {
 
 /// Steps of several walkers, which leave the session where it is.
 void wander_together(Reply& reply, std::size_t walkers, std::int64_t steps, bool goes_on) {
@@ -124,34 +121,17 @@ void wander_together(Reply& reply, std::size_t walkers, std::int64_t steps, bool
 
 Reply pull(const Request& request) {
   take_pins(request.fields);
-  return with_bars(session().pull(forces_of(request.fields)));
+  return with_bars(session().pull(forces_of(request.fields)), session().residuals());
 }
 
 Reply resolution(const Request& request) {
   take_pins(request.fields);
   const std::vector<JointForce> forces = forces_of(request.fields);
-  Visits visits;
-  visits.seen.resize(session().framework().bar_count());
-  const auto note = [&](const RepairedBar& visit) { visits.note(visit); };
-  std::string why;
-  StepReport report;
-  try {
-    report = session().pull_watched(forces, note);
-  } catch (const OptionError& error) {
-    why = error.what();
-    report = session().pull(forces);
-  }
-  Reply reply = with_bars(report);
-  reply.add("pushed", numbers_of(report.pushed));
-  reply.fields["whole"] = visits.is_whole;
-  if (!why.empty()) {
-    reply.fields["events"] = nullptr;
-    reply.fields["why"] = why;
-    return reply;
-  }
-  reply.add("events", std::span<const std::int32_t>(visits.events));
-  reply.add("moved", std::span<const float>(visits.moved));
-  return reply;
+  return film_of(
+      [&](const OnBar* on_bar) {
+        return on_bar ? session().pull_watched(forces, *on_bar) : session().pull(forces);
+      },
+      session().residuals());
 }
 
 Reply wander(const Request& request) {
@@ -166,6 +146,10 @@ Reply wander(const Request& request) {
   if (walkers > 1) wander_together(reply, walkers, steps, request.fields.value("go_on", false));
   for (std::int64_t k = 0; walkers == 1 && k < steps; ++k) {
     const StepReport report = session().wander();
+    if (report.is_stopped()) {
+      reply.fields["stopped"] = reply_of(report).fields["stopped"];
+      break;
+    }
     if (is_last_alone && k + 1 < steps) continue;
     Json fields = fields_of(report.frame);
     fields["seconds"] = report.seconds;
@@ -206,6 +190,16 @@ Reply state(const Request&) {
   Reply reply;
   reply.fields["hash"] = fingerprint_text(fingerprint(session().state().positions));
   reply.fields["step"] = session().state().step;
+  return reply;
+}
+
+/// The clock of steps, for a page where a person waits: milliseconds, or 0 for none.
+Reply step_limit(const Request& request) {
+  const double milliseconds = request.fields.value("milliseconds", 0.0);
+  if (!(milliseconds >= 0.0)) throw OptionError("step_limit: expected milliseconds, or 0 for none");
+  session().set_step_limit(milliseconds);
+  Reply reply;
+  reply.fields["milliseconds"] = milliseconds;
   return reply;
 }
 

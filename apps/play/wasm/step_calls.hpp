@@ -14,5 +14,6 @@ Reply again(const Request& request);
 Reply undo(const Request& request);
 Reply state(const Request& request);
 Reply settings(const Request& request);
+Reply step_limit(const Request& request);
 
 }  // namespace pliant::play

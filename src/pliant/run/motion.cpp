@@ -70,6 +70,7 @@ bool Motion::advance() {
 }
 
 Frame Motion::frame() { return plan_->walk.frame(); }
+const ResolveSummary& Motion::resolved() const { return plan_->walk.resolved(); }
 const Push& Motion::pushed() const { return plan_->walk.pushed(); }
 const State& Motion::state() const { return plan_->walk.state(); }
 State& Motion::change_state() { return plan_->walk.change_state(); }

@@ -66,6 +66,8 @@ class Motion {
   bool advance();
   /// The present frame, measured. Valid until the next step.
   Frame frame();
+  /// How the resolve of the last step ended, before anything was taken back.
+  const ResolveSummary& resolved() const;
   /// The push of the last step.
   const Push& pushed() const;
 

@@ -82,6 +82,11 @@ std::unique_ptr<SteeredWalk> SteeredWalk::branch() const {
   return other;
 }
 
+const ResolveSummary& SteeredWalk::resolved() const {
+  static const ResolveSummary none;
+  return motion_ ? motion_->resolved() : none;
+}
+
 RunSummary SteeredWalk::summary() const {
   RunSummary all = done_;
   if (motion_) add(all, motion_->summary());

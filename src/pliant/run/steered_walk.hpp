@@ -71,6 +71,9 @@ class SteeredWalk {
   const std::shared_ptr<const EditedFramework>& edited() const { return edited_; }
   std::span<const Joint> pinned() const { return pinned_; }
   const State& state() const { return state_; }
+  /// How the resolve of the last step ended, before anything was taken back: where should_stop cut
+  /// it short, its worst bar then.
+  const ResolveSummary& resolved() const;
   /// Summary of all steps.
   RunSummary summary() const;
 

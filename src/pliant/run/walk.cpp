@@ -125,7 +125,7 @@ bool Walk::finish(ResolveSummary resolved) {
   summary_.resolve_seconds += resolved.seconds;
   summary_.seconds += resolved.seconds;
   const Stopwatch watch(summary_.seconds);
-  last_ = resolved;
+  last_ = resolved_ = resolved;
   if (resolved.stop == Stop::stopped_by_caller) {
     take_back_push();  // no half-resolved positions are left behind
     stop();

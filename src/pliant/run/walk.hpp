@@ -35,6 +35,8 @@ class Walk {
 
   Frame frame();
   const Push& pushed() const { return pushers_.pushed(); }
+  /// How the last resolve ended, before anything was taken back.
+  const ResolveSummary& resolved() const { return resolved_; }
   const State& state() const { return state_; }
   std::span<Vec3> positions() { return state_.positions; }
   /// The state, which the caller may change.
@@ -59,6 +61,7 @@ class Walk {
   PushChain pushers_;
   RunSummary summary_;
   ResolveSummary last_;                ///< of the last step, or of the start
+  ResolveSummary resolved_;            ///< as it left the positions, whatever came after it
   std::unique_ptr<KeptMeasure> kept_;  ///< of frames with limits; null: not needed yet
   std::optional<bool> is_whole_;       ///< all bars, before the push; none: not checked
   bool continues_ = false;             ///< nobody but the last resolve has moved joints since

@@ -110,6 +110,25 @@ TEST(SteeredWalk, IsWatchedBarByBar) {
   walk.set(by("newton"));
 }
 
+TEST(SteeredWalk, TellsHowFarAStepWasThatItTookBack) {
+  const Framework framework = framework_of(ring(9));
+  RunOptions options = by("bfs_cycle");
+  int asked = 0;
+  bool stops = false;
+  options.resolve.should_stop = [&] { return stops && ++asked == 3; };
+  SteeredWalk walk(framework, State(ring(9).positions), options);
+  walk.start();
+  const State before = walk.state();
+  stops = true;
+  const Frame frame = walk.pull(push);
+  EXPECT_EQ(frame.stop, Stop::stopped_by_caller);
+  EXPECT_EQ(walk.resolved().sweeps, 3);
+  EXPECT_GT(walk.resolved().max_residual, 1e-6);
+  EXPECT_LT(walk.resolved().worst_bar, framework.bar_count());
+  EXPECT_TRUE(test::same_bits(walk.state().positions, before.positions));
+  EXPECT_EQ(walk.state().step, before.step);
+}
+
 TEST(SteeredWalk, WhatIsRefusedChangesNothing) {
   const Framework framework = framework_of(ring(9));
   SteeredWalk walk(framework, State(ring(9).positions), by("bfs_cycle"));

@@ -7,13 +7,12 @@ const SKIPPED = new Set(['auto']);
 export class Compare {
   constructor(stage, session, view) {
     Object.assign(this, {stage, session, view});
+    this.beside = null;  // set by main
     this.rows = [];
     $('compare').onclick = () => guarded(() => this.repeat($('other').value));
     $('compare-all').onclick = () => guarded(() => this.repeatAll());
-    $('split').onchange = () => this.split($('split').checked);
     session.on('step', () => this.clear());
     stage.on('began', () => this.clear());
-    stage.on('changed', () => view.split && this.follow());
   }
 
   fill(facts) {
@@ -23,8 +22,6 @@ export class Compare {
 
   clear() {
     this.rows = [];
-    this.split(false);
-    $('split').disabled = true;
     $('compared').tBodies[0].replaceChildren();
   }
 
@@ -38,13 +35,10 @@ export class Compare {
   async repeat(technique) {
     const own = this.own();
     const weighting = Number($('other-weighting').value);
-    const reply = await this.session.compare(technique, weighting);
+    const reply = await this.beside.begin({technique, weighting}, true);
     if (!this.rows.length) this.rows.push(own);
     this.rows.push({...reply, technique, weighting});
-    this.other = reply;
-    this.otherName = technique;
     this.show();
-    this.split(true);
   }
 
   async repeatAll() {
@@ -69,7 +63,6 @@ export class Compare {
     const whole = this.rows.filter((row) => !row.why && row.converged !== false);
     const fewest = Math.min(...whole.map((row) => row.projections));
     $('compared').tBodies[0].replaceChildren(...this.rows.map((row) => this.line(row, fewest)));
-    $('split').disabled = !this.other;
   }
 
   line(row, fewest) {
@@ -84,37 +77,5 @@ export class Compare {
       line.append(element('td', String(value ?? '–')));
     line.classList.toggle('best', row.projections === fewest);
     return line;
-  }
-
-  split(isOn) {
-    const {view} = this;
-    const wanted = Boolean(isOn && this.other);
-    if (wanted === view.split) return;
-    $('split').checked = wanted;
-    $('panes').hidden = !wanted;
-    view.split = false;
-    view.allocate(wanted ? 2 : 1);
-    view.split = wanted;
-    this.stage.look();
-    this.stage.mark();
-    this.follow();
-    if (wanted) this.label();
-    view.fit();
-  }
-
-  label() {
-    const own = this.own();
-    $('pane-left').textContent = `${own.technique}: ${own.sweeps} sweeps`;
-    $('pane-right').textContent = `${this.otherName}: ${this.other.sweeps} sweeps`;
-    if (!this.view.textures) return;
-    this.view.setPositions(this.other.positions, 1);
-  }
-
-  /** What is shown goes to the first walker: the left pane. */
-  follow() {
-    if (!this.stage.model) return;
-    const {stage, view} = this;
-    const frame = stage.at === null ? stage.session.positions : stage.frames.at(stage.at).positions;
-    if (frame) view.setPositions(frame, 0);
   }
 }

@@ -24,6 +24,10 @@ const HELP = [
   [['X'], 'cut all that is said to hold it'],
   [['B'], 'take the chosen joint as one of two, to be joined or cut'],
   [['F'], 'see all of it'],
+  [['B'], 'zoom to fit a bar: the one in hand, or under the pointer; or a double click'],
+  [['K'], 'film of a repair: pause, go on'],
+  [['J', 'L'], 'film: one bar back, one further'],
+  [['Esc'], 'film: skip to the end'],
   [['W'], 'wander, or stop'],
   [['T'], 'dark or light'],
   [['?'], 'this help'],
@@ -48,6 +52,9 @@ export class Keys {
       y: () => this.askWhy(), x: () => $('why-cut').hidden ? $('why-list').querySelector('button')?.click() : $('why-cut').click(),
       b: () => this.chosen >= 0 && this.constraints.pick(this.chosen),
       ',': () => this.choose(-1), '.': () => this.choose(1),
+      b: () => this.fitBar.byKey(), k: () => this.resolution.pause(!this.resolution.isPaused),
+      j: () => this.resolution.stepBy(-1), l: () => this.resolution.stepBy(1),
+      escape: () => this.resolution.finish(),
       '+': () => this.zoom(0.85), '=': () => this.zoom(0.85), '-': () => this.zoom(1 / 0.85),
     };
   }

@@ -12,8 +12,8 @@ const titleOf = (name) => {
   return words[0].toUpperCase() + words.slice(1);
 };
 
-const isForceFile = (bytes) =>
-  /^(\s*#.*\n)*\s*pliant-forces\b/.test(new TextDecoder().decode(bytes.subarray(0, 1000)));
+const begins = (bytes, word) =>
+  new RegExp(`^(\\s*(#.*)?\\n)*\\s*${word}\\b`).test(new TextDecoder().decode(bytes.subarray(0, 4000)));
 
 /** A model to be watched, of what an H5MD file holds. */
 function replayModel(name, file) {
@@ -100,8 +100,8 @@ export class Open {
   async openBytes(name, bytes, model = $('model').value || 'auto', known = {}) {
     say('');
     if (isHdf5(bytes)) return this.openTrajectory(name, bytes, known.ensemble);
-    if (isForceFile(bytes))
-      throw new Error(`${name} is a force file. The command repeats it on its molecule: pliant run FILE --forces ${name}`);
+    if (begins(bytes, 'pliant-forces')) return this.forces.open(name, bytes);
+    if (begins(bytes, 'pliant-ordering')) return this.order.open(name, bytes);
     return this.waiting(name, () => this.session.openFile(name, bytes, model, known));
   }
 

@@ -12,12 +12,16 @@ function verdict(step) {
   return ['All bars whole', 'good'];
 }
 
+/** Such a step has been taken back: what is seen is whole. */
+const stoppedVerdict = ({milliseconds}) => [`Stopped after ${milliseconds} ms, taken back`, 'bad'];
+
 export class Readout {
   constructor(stage, session, hand) {
     Object.assign(this, {stage, session});
     stage.on('began', (model) => this.began(model));
     stage.on('edited', (model) => this.began(model));
     stage.on('changed', () => this.refresh());
+    stage.on('film', () => this.refresh());
     session.on('pins', () => this.pins());
     hand.onSay = (text) => { $('said').textContent = text; };
   }
@@ -37,6 +41,7 @@ export class Readout {
   /** The frame that is shown: the last step, or one of the recording. */
   shown() {
     const {stage} = this;
+    if (stage.film) return stage.film;
     return stage.at === null ? stage.last ?? stage.frames.at(0) : stage.frames.at(stage.at);
   }
 
@@ -59,7 +64,9 @@ export class Readout {
   state(step) {
     const {live} = this.session;
     if (live) return [live.state.text, live.state.kind];
-    return this.stage.isReplay ? ['Replay', ''] : verdict(step);
+    if (this.stage.film) return step.state;
+    if (this.stage.isReplay) return ['Replay', ''];
+    return this.stage.stop && this.stage.at === null ? stoppedVerdict(this.stage.stop) : verdict(step);
   }
 
   pins() {

@@ -1,129 +1,202 @@
 // SPDX-License-Identifier: MIT
 // "Show resolution" of the thesis: the repair of one push in slow motion, bar by bar, with the bar in
-// hand, its near and far end, and a wave where the repair has passed.
+// hand, its near and far end, and a wave where the repair has passed. Beside it, in step, the same push
+// with another technique, where there is one (panel/beside.mjs).
 import {$, guarded, say, units} from './dom.mjs';
+import {Film} from './film.mjs';
+import {offerExample} from './resolution_offer.mjs';
 
-const FADE_BARS = 40;  // events after which a joint's wave has faded to a third
+const LONG = 60;  // seconds; a film that takes longer offers to be quicker
+const SHORT = 20;  // seconds that it then takes
+
+function duration(seconds) {
+  if (seconds < 90) return units(Math.max(1, Math.round(seconds)), 'second');
+  return seconds < 5400 ? units(Math.round(seconds / 60), 'minute') : units(Math.round(seconds / 3600), 'hour');
+}
 
 export class Resolution {
   constructor(stage, session, view, hand) {
     Object.assign(this, {stage, session, view, hand});
+    this.beside = null;  // set by Beside
     $('resolution').onchange = () => this.toggle($('resolution').checked);
     $('resolution-skip').onclick = () => this.finish();
+    $('film-skip').onclick = () => this.finish();
+    $('film-pause').onclick = () => this.pause(!this.isPaused);
+    $('film-back').onclick = () => this.stepBy(-1);
+    $('film-next').onclick = () => this.stepBy(1);
+    $('film-quick').onclick = () => this.hurry();
+    $('resolution-speed').oninput = () => this.films && this.show();
     stage.on('began', () => this.forget());
+    for (const what of ['settings', 'open']) session.on(what, () => $('resolution').checked && this.offer());
   }
 
   get isShowing() {
-    return Boolean(this.film);
+    return Boolean(this.films);
+  }
+
+  /** The film of the session's own push, of the left pane. */
+  get film() {
+    return this.films?.[0].reply ?? null;
+  }
+
+  get at() {
+    return this.films?.[0].at ?? 0;
+  }
+
+  get perSecond() {
+    return 10 ** Number($('resolution-speed').value);
   }
 
   toggle(isOn) {
     this.hand.onPush = isOn ? (forces) => guarded(() => this.push(forces)) : null;
-    if (!isOn) this.finish();
+    if (isOn) this.offer();
+    else this.finish();
+    $('resolution-offer').hidden = !isOn || !$('resolution-offer').textContent;
+  }
+
+  offer() {
+    offerExample(this.session, this.stage);
   }
 
   async push(forces) {
     this.finish();
-    const film = await this.session.resolution(forces);
-    film.forces = forces;
-    if (!film.events) {
-      say(film.why || 'This technique does not go bar by bar.', true);
-      return this.land(film);
+    const reply = await this.session.resolution(forces);
+    reply.forces = forces;
+    const other = this.beside?.isOn ? await this.beside.film() : null;
+    if (!reply.events) {
+      this.offer();
+      say('This technique places many joints at once: there are no bars to be visited one by one. ' +
+        'The push has been resolved as a whole; Bar by bar has what can be shown.', true);
+      return this.land([reply, other]);
     }
-    return this.start(film);
+    return this.start([reply, other]);
   }
 
-  start(film) {
-    const {stage} = this;
-    this.film = film;
-    this.at = 0;
+  start(replies) {
+    const {stage, session} = this;
+    const films = replies.filter((reply) => reply?.events);
+    this.replies = replies;
+    this.films = films.map((reply) => new Film(reply, stage.model, session.settings));
     this.due = 0;
-    this.count = film.events.length / 4;
-    this.positions = Float64Array.from(film.pushed ?? stage.session.positions);
-    this.wave = new Float32Array(stage.model.joints);
-    this.passed = new Float32Array(stage.model.joints).fill(-1);
-    stage.holdsStrain = true;
-    stage.strain.set(film.broken ?? new Float32Array(stage.strain.length));
-    this.view.setStrain(stage.strain);
-    this.view.setPositions(this.positions);
-    $('resolution-skip').disabled = false;
     this.before = null;
+    this.isPaused = false;
+    stage.holdsStrain = true;
+    document.body.classList.add('filming');
+    $('film').hidden = false;
+    $('resolution-skip').disabled = false;
+    this.show();
+  }
+
+  get longest() {
+    return Math.max(...this.films.map((film) => film.count));
+  }
+
+  /** In step: both films have made the same number of visits, until one is over. */
+  get visit() {
+    return Math.max(...this.films.map((film) => film.at));
   }
 
   tick(now) {
-    if (!this.film) return;
+    if (!this.films) return;
     const passed = this.before === null ? 0 : Math.min(0.1, (now - this.before) / 1000);
     this.before = now;
-    this.due += passed * 10 ** Number($('resolution-speed').value);
-    let stepped = false;
-    for (; this.due >= 1 && this.at < this.count; --this.due, stepped = true) this.apply(this.at++);
-    if (stepped) this.show();
-    if (this.at >= this.count && this.due >= 1) this.finish();
+    if (this.isPaused) return;
+    this.due += passed * this.perSecond;
+    const visits = Math.floor(this.due);
+    this.due -= visits;
+    if (visits) this.goTo(this.visit + visits);
+    if (this.visit >= this.longest && this.due > 0.5) this.finish();
   }
 
-  /** One event: the two joints of a bar go where the technique puts them; the bar is whole. */
-  apply(index) {
-    const {events, moved} = this.film;
-    const [bar, near, far] = events.subarray(4 * index, 4 * index + 3);
-    this.positions.set(moved.subarray(6 * index, 6 * index + 3), 3 * near);
-    this.positions.set(moved.subarray(6 * index + 3, 6 * index + 6), 3 * far);
-    this.passed[near] = this.passed[far] = index;
-    this.measure(near);
-    this.measure(far);
-    this.stage.strain[bar] = 0;
-    this.view.setLit({bar, near, far});
+  goTo(visit) {
+    for (const film of this.films) film.goTo(Math.max(0, visit));
+    this.show();
   }
 
-  /** Bars about a joint are off by what its move did to them. */
-  measure(joint) {
-    const {model, strain} = this.stage;
-    if (!model.rest) return;
-    for (const bar of this.barsOf(joint)) {
-      const [a, b] = [3 * model.bars[2 * bar], 3 * model.bars[2 * bar + 1]];
-      const x = this.positions;
-      const length = Math.hypot(x[a] - x[b], x[a + 1] - x[b + 1], x[a + 2] - x[b + 2]);
-      strain[bar] = length / model.rest[bar] - 1;
-    }
+  pause(isOn) {
+    if (!this.films) return;
+    this.isPaused = isOn;
+    this.show();
   }
 
-  barsOf(joint) {
-    const {model} = this.stage;
-    if (this.barsFor !== model.bars) {
-      this.barsFor = model.bars;
-      this.barLists = Array.from({length: model.joints}, () => []);
-      for (let k = 0; k < model.bars.length; ++k) this.barLists[model.bars[k]].push(k >> 1);
-    }
-    return this.barLists[joint];
+  /** One visit further or back; a film that runs stops there. */
+  stepBy(visits) {
+    if (!this.films) return;
+    this.isPaused = true;
+    this.goTo(Math.min(this.longest, this.visit + visits));
+  }
+
+  hurry() {
+    if (!this.films) return;
+    const speed = Math.log10(Math.max(1, (this.longest - this.visit) / SHORT));
+    $('resolution-speed').value = Math.min(Number($('resolution-speed').max), Math.ceil(speed * 10) / 10);
+    this.pause(false);
   }
 
   show() {
-    for (let joint = 0; joint < this.wave.length; ++joint)
-      this.wave[joint] = this.passed[joint] < 0 ? 0 : Math.exp((this.passed[joint] - this.at) / FADE_BARS);
-    this.stage.mark(this.wave);
-    this.view.setPositions(this.positions);
-    this.view.setStrain(this.stage.strain);
-    const sweep = this.film.events[4 * Math.max(0, this.at - 1) + 3];
-    $('said').textContent = `visit ${this.at} of ${this.count.toLocaleString('en')}, sweep ${sweep + 1}`;
+    const {stage, view} = this;
+    const [own, other] = this.films;
+    stage.strain.set(own.off);
+    view.setStrain(stage.strain);
+    view.setPositions(own.positions);
+    view.setLit(own.lit);
+    stage.mark(own.wave());
+    if (other) this.beside.show(other);
+    stage.film = this.state(own);
+    stage.tell('film');
+    this.say(own);
+  }
+
+  /** What the readout shows: the film's moment, not the end of the push. */
+  state(film) {
+    const worst = film.worst();
+    const bars = film.off.length;
+    const isWhole = film.broken === 0;
+    return {
+      step: film.reply.step, sweeps: film.sweep, projections: film.at, worst,
+      residual: worst < 0 ? 0 : Math.abs(film.off[worst]),
+      state: isWhole ? ['All bars whole', 'good'] : [`${film.broken.toLocaleString('en')} of ${units(bars, 'bar')} broken`, 'bad'],
+    };
+  }
+
+  say(film) {
+    const left = (this.longest - this.visit) / this.perSecond;
+    const visits = `visit ${film.at.toLocaleString('en')} of ${film.count.toLocaleString('en')}, sweep ${film.sweep}`;
+    $('film-text').textContent = `${visits} · ${this.isPaused ? 'paused' : `${duration(left)} left`}`;
+    $('film-pause').textContent = this.isPaused ? 'Go on' : 'Pause';
+    $('film-pause').setAttribute('aria-pressed', this.isPaused);
+    $('film-quick').hidden = left < LONG;
+    $('film-back').disabled = film.at === 0;
+    if (this.isPaused || film.at === 0) $('said').textContent = visits;
   }
 
   finish() {
-    if (!this.film) return;
-    const {film} = this;
+    if (!this.films) return;
+    const {replies} = this;
+    const counts = this.films.map((film) => units(film.count, 'visit'));
+    const part = this.film.whole === false ? ', shown in part: there were more' : '';
     this.forget();
-    $('said').textContent = film.whole === false ? 'Shown in part: there were too many visits'
-      : `${units(this.count, 'visit')} of bars`;
-    this.land(film);
+    $('said').textContent = `${counts.join(' against ')} of bars${part}`;
+    this.land(replies);
   }
 
   forget() {
-    this.film = null;
+    this.films = this.replies = null;
     this.stage.holdsStrain = false;
+    this.stage.fading = true;
+    this.stage.film = null;
     this.view.setLit({bar: -1, near: -1, far: -1});
+    $('film').hidden = true;
+    document.body.classList.remove('filming');
     $('resolution-skip').disabled = true;
     this.stage.mark();
   }
 
-  land(film) {
-    this.session.stand({...film, broken: film.events ? undefined : film.broken}, film.forces);
+  /** The end of the push: what the solver says of it. */
+  land([own, other]) {
+    const step = {...own, broken: own.events ? undefined : own.broken, isRepeated: Boolean(other)};
+    if (own.stopped) this.session.stop(step);
+    else this.session.stand(step, own.forces);
+    if (other) this.beside.land(other);
   }
 }

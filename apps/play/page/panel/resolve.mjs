@@ -34,15 +34,24 @@ export class Resolve {
     fillSelect($('model'), names.map((name) => ({name, title: MODELS[name] ?? name})));
   }
 
-  /** Techniques that refuse what is open cannot be chosen; the others say what is known of them. */
+  /** Techniques that refuse what is open, or are known not to arrive on it, cannot be chosen; the reason
+   * is theirs. */
   judge(unfit = {}) {
     this.unfit = unfit;
-    for (const option of $('technique').options) {
-      const found = unfit[option.value];
-      option.disabled = Boolean(found?.refused);
-      option.title = found?.why ?? '';
-      option.textContent = found ? `${option.value} (${found.refused ? 'refused' : 'doubtful'})` : option.value;
-    }
+    for (const id of ['technique', 'other', 'forces-other'])
+      for (const option of $(id).options) {
+        const found = unfit[option.value];
+        option.disabled = Boolean(found);
+        option.title = found?.why ?? '';
+        option.textContent = found ? `${option.value}: ${this.reason(option.value, found)}` : option.value;
+      }
+  }
+
+  /** In few words why it is grey; the whole reason is the option's title. */
+  reason(technique, {refused}) {
+    const row = this.techniques.find(({name}) => name === technique);
+    if (!refused) return 'stuck on rigid angles';
+    return row?.forestsOnly ? 'for trees alone' : 'knows no limits';
   }
 
   began(model, isReplay) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Record, stop, scrub, replay, undo and save.
 import {$, guarded, say} from './dom.mjs';
-import {Film} from './film.mjs';
+import {FrameOrder} from './frame_order.mjs';
 import {h5mdBytes} from '../record/hdf5.mjs';
 import {pdbText} from '../record/pdb.mjs';
 
 /** Hands a file to the browser. */
-function download(parts, name, type) {
+export function download(parts, name, type) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob(parts, {type}));
   link.download = name;
@@ -20,7 +20,7 @@ export class Transport {
   constructor(stage, session, view) {
     Object.assign(this, {stage, session, view});
     this.playing = false;
-    this.film = new Film(stage);
+    this.film = new FrameOrder(stage);
     $('record').onclick = () => this.record(!stage.recording);
     $('play').onclick = () => this.play(!this.playing);
     $('live').onclick = () => this.goLive();

@@ -121,6 +121,7 @@ export class View {
     this.textures?.dispose();
     this.textures = new Textures(this.model, walkers);
     this.walkers = walkers;
+    this.second = {};  // values of uniforms that the right of two panes has in place of the left's
     const {textures, uniforms} = this;
     for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls'])
       uniforms[name].value = textures[name];
@@ -233,10 +234,22 @@ export class View {
       this.renderer.setScissor(...box);
       this.uniforms.firstWalker.value = pane;
       this.count(1);
+      const first = pane ? this.exchange(this.second) : {};
       this.renderer.render(this.scene, this.orbit.camera);
+      this.exchange(first);
     }
     this.renderer.setScissorTest(false);
     this.renderer.setViewport(0, 0, width, height);
+  }
+
+  /** Puts these values of uniforms in place; the ones before them. */
+  exchange(values) {
+    const before = {};
+    for (const [name, value] of Object.entries(values)) {
+      before[name] = this.uniforms[name].value;
+      this.uniforms[name].value = value;
+    }
+    return before;
   }
 
   /** What is seen at a place in CSS pixels: {joint} or {bar}, or null. A joint up to `reach` beside

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// A force file: its pushes as a list, repeated on the molecule that is open, step by step, to the bits of
+// `pliant run --forces`; and repeated under other techniques, counted.
+import {$, element, fillSelect, guarded, say, shortNumber, units} from './dom.mjs';
+
+const SLICE = {milliseconds: 30, most: 50};  // of a replay between two frames of the screen
+const WORDS = {pull: 'force', wander: 'random push', set: 'set', pin: 'pin', 'hold back': 'hold back', start: 'start'};
+
+const nextFrame = () => new Promise((done) => requestAnimationFrame(done));
+
+/** The model that a header names; bars of a name are a model of that name. */
+function modelOf(header, known) {
+  const named = header.input.find(({name}) => name === 'model' || name === 'bars');
+  if (!named) return null;
+  if (!known.includes(named.value))
+    throw new Error(`The file was made with ${named.name} ${named.value}, which is not in the page.`);
+  return named.value;
+}
+
+export class Forces {
+  constructor(session, stage, beside) {
+    Object.assign(this, {session, stage, beside});
+    this.runs = [];
+    $('forces-file').onchange = () => this.chosen();
+    $('forces-play').onclick = () => guarded(() => this.play(!this.isPlaying));
+    $('forces-step').onclick = () => guarded(() => this.advance(1));
+    $('forces-again').onclick = () => guarded(() => this.repeat(null));
+    $('forces-with').onclick = () => guarded(() => this.repeat(this.other()));
+    $('forces-beside').onclick = () => guarded(() => this.repeat(null, this.other()));
+    session.on('open', () => this.left());
+    session.on('undone', () => this.left());
+    session.on('step', (step) => step.isRepeated || this.left());
+    this.show();
+  }
+
+  fill(facts) {
+    this.facts = facts;
+    fillSelect($('forces-other'), facts.techniques.map(({name}) => ({name})), 'bfs_cycle');
+  }
+
+  other() {
+    return {technique: $('forces-other').value, weighting: Number($('forces-weighting').value)};
+  }
+
+  chosen() {
+    const [file] = $('forces-file').files;
+    $('forces-file').value = '';
+    return file && guarded(async () => this.open(file.name, new Uint8Array(await file.arrayBuffer())));
+  }
+
+  async open(name, bytes) {
+    const {session} = this;
+    if (!session.source || this.stage.isReplay)
+      throw new Error(`${name} is a force file: open its molecule or graph first.`);
+    const header = await session.ask('force_file', {name, bytes});
+    const strange = header.input.find((row) => !['model', 'bars'].includes(row.name));
+    if (strange) throw new Error(`${name} was made with ${strange.name} ${strange.value}, which the page does not do: pliant run --forces does.`);
+    this.header = header;
+    this.file = {name, bytes};
+    this.model = modelOf(header, this.facts.models.map((row) => row.name));
+    this.runs = [];
+    await this.begin(null);
+    $('forces-panel').open = true;
+    if (!header.input.length && header.joints === undefined && session.model.kind !== 'graph')
+      say(`${name} does not say for which model it was made: the one that is open (${session.model.model}) is a guess.`, true);
+  }
+
+  /** The molecule from its start, with the file's model, and the file from its first step. */
+  async begin(technique, beside = null) {
+    const {session} = this;
+    this.isBusy = true;
+    try {
+      const model = this.model ?? session.source.model;
+      await session.begin({...session.source, ...(model === undefined ? {} : {model})});
+      if (beside) await this.beside.begin(beside);
+      this.list = await session.ask('replay', {...this.file, ...technique});
+    } finally {
+      this.isBusy = false;
+    }
+    this.run = {name: technique?.technique ?? 'as the file says', steps: 0, sweeps: 0, projections: 0, broken: 0};
+    this.next = 0;
+    this.isOver = this.list.steps === 0;
+    this.isReady = true;
+    this.rows();
+    this.show();
+  }
+
+  /** The session is no longer where the replay has left it. */
+  left() {
+    if (this.isBusy) return;
+    this.isReady = this.isPlaying = false;
+    this.show();
+  }
+
+  async play(isOn) {
+    if (isOn && (!this.isReady || this.isOver)) await this.begin(null);
+    this.isPlaying = isOn;
+    this.show();
+    while (this.isPlaying && this.isReady && !this.isOver) {
+      await this.advance(SLICE.most);
+      await nextFrame();
+    }
+    this.isPlaying = false;
+    this.show();
+  }
+
+  /** Some steps; where the session stands afterwards is what the command has after them. */
+  async advance(most) {
+    if (!this.isReady || this.isOver || this.isBusy) return;
+    const reply = await this.session.ask('replay_steps', {...SLICE, most});
+    this.isBusy = true;
+    reply.frames.forEach((frame, k) => this.took(frame, k === reply.frames.length - 1 ? reply : {}));
+    this.isBusy = false;
+    if (this.beside.isOn) this.beside.repeated(reply.frames, reply);
+    this.next = reply.next;
+    this.session.settings = reply.settings;
+    this.session.tell('settings', reply.settings);
+    this.session.pins = new Set([...reply.pins, ...(this.session.model.pinned ?? [])]);
+    this.session.tell('pins', this.session.pins);
+    if (reply.over) this.ended();
+    this.show();
+  }
+
+  took(frame, {broken, residuals, worst}) {
+    const {run, session} = this;
+    run.steps += 1;
+    run.sweeps += frame.sweeps;
+    run.projections += frame.projections;
+    if (!frame.converged) run.broken += 1;
+    session.strokes.push(1);
+    session.stand({...frame, broken, residuals, worst, isRepeated: true});
+  }
+
+  ended() {
+    this.isOver = true;
+    this.run.end = this.session.positions.slice();
+    this.runs.push(this.run);
+    this.compare();
+  }
+
+  /** From the start with another technique; or as the file says, and the other beside it. */
+  async repeat(technique, beside = null) {
+    if (!this.file) throw new Error('Open a force file first.');
+    await this.begin(technique, beside);
+    await this.play(true);
+  }
+
+  rows() {
+    const line = ([what, text, count], k) => {
+      const row = element('li', '', {value: k + 1});
+      row.append(element('b', WORDS[what] ?? what), ` ${text}${count > 1 ? ` × ${count.toLocaleString('en')}` : ''}`);
+      return row;
+    };
+    $('forces-list').replaceChildren(...this.list.rows.map(line));
+    const more = this.list.events - this.list.rows.length;
+    if (more > 0) $('forces-list').append(element('li', `and ${more.toLocaleString('en')} more`));
+  }
+
+  compare() {
+    const [first] = this.runs;
+    const fewest = Math.min(...this.runs.filter((run) => !run.broken).map((run) => run.projections));
+    $('forces-compared').tBodies[0].replaceChildren(...this.runs.map((run) => {
+      const line = element('tr');
+      const apart = run === first ? '–' : shortNumber(rmsOf(run.end, first.end));
+      for (const text of [run.name, run.steps, run.sweeps.toLocaleString('en'), run.projections.toLocaleString('en'), run.broken, apart])
+        line.append(element('td', String(text)));
+      line.classList.toggle('best', run.projections === fewest && !run.broken);
+      return line;
+    }));
+  }
+
+  show() {
+    const hasFile = Boolean(this.file);
+    for (const id of ['forces-again', 'forces-with', 'forces-beside', 'forces-play']) $(id).disabled = !hasFile;
+    $('forces-step').disabled = !this.isReady || this.isOver;
+    $('forces-play').textContent = this.isPlaying ? 'Pause' : 'Play';
+    $('forces-play').setAttribute('aria-pressed', Boolean(this.isPlaying));
+    $('forces-state').textContent = this.told();
+    this.mark();
+  }
+
+  told() {
+    if (!this.file) return 'Drop a force file, or choose one: its pushes are repeated on what is open.';
+    const steps = `${this.file.name}: step ${(this.run?.steps ?? 0).toLocaleString('en')} of ${units(this.list.steps, 'step')}`;
+    if (!this.isReady) return `${steps}. The session has gone its own way since: Play begins again.`;
+    return this.isOver ? `${steps}: all repeated.` : steps;
+  }
+
+  mark() {
+    const rows = $('forces-list').children;
+    for (const row of $('forces-list').querySelectorAll('[aria-current]')) row.removeAttribute('aria-current');
+    const row = this.isReady ? rows[Math.min(this.next ?? 0, rows.length - 1)] : null;
+    if (!row || this.isOver) return;
+    row.setAttribute('aria-current', 'step');
+    row.parentElement.scrollTop = row.offsetTop - row.parentElement.offsetTop - 40;
+  }
+}
+
+/** Angstrom, without turning one onto the other. */
+function rmsOf(a, b) {
+  let sum = 0;
+  for (let k = 0; k < a.length; ++k) sum += (a[k] - b[k]) ** 2;
+  return Math.sqrt(3 * sum / Math.max(1, a.length));
+}
