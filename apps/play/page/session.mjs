@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The session: what is open, where it is, what has been done. It asks the worker, one request after
 // the other, and tells whoever listens; it knows no element of the page.
-import {workerInside, bytesInside, unzipped} from './inside.mjs';
+import {workerInside, packedInside, unzipped} from './inside.mjs';
 
 /** Fields that a reply of `open` may leave out. */
 function completed(reply) {
@@ -44,8 +44,8 @@ export class Session extends EventTarget {
   /** Starts the solver; the reply of `boot` tells what it can do. */
   async boot() {
     this.client = await workerInside('solver-worker');
-    const wasm = await bytesInside('solver-wasm');
-    this.facts = await this.client.ask('boot', {wasm: wasm.buffer}, [wasm.buffer]);
+    const packed = packedInside('solver-wasm');
+    this.facts = await this.client.ask('boot', {packed}, [packed.buffer]);
     return this.facts;
   }
 
