@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: makes its parts and lets them hear of each other.
+import './share/document.mjs';  // first: the page as it was loaded
 import {Hand} from './hand.mjs';
 import {Compare} from './panel/compare.mjs';
 import {$, guarded, say} from './panel/dom.mjs';
@@ -17,6 +18,7 @@ import {textInside} from './inside.mjs';
 import {Host} from './host.mjs';
 import {Live} from './live.mjs';
 import {Session} from './session.mjs';
+import {openShared} from './share/share.mjs';
 import {Stage} from './stage.mjs';
 import {View} from './view/scene.mjs';
 
@@ -46,6 +48,7 @@ function makeParts() {
   parts.path = new Path(stage, session);
   parts.resolution = new Resolution(stage, session, view, hand);
   parts.plots = new Plots(stage);
+  parts.transport.parts = parts;
   parts.keys = new Keys(parts);
   return parts;
 }
@@ -128,7 +131,7 @@ async function begin() {
   const files = JSON.parse(await textInside('examples-inside'));
   for (const part of [parts.resolve, parts.open, parts.compare]) part.fill(facts, files);
   $('title').textContent = 'Open a file, drop one here, or choose an example';
-  const hasFile = await guarded(() => given(parts));
+  const hasFile = await guarded(async () => await openShared(parts) || given(parts));
   const told = $('message-text').textContent;
   if (!hasFile) {
     await parts.open.openExample(FIRST);

@@ -20,6 +20,10 @@ function completed(reply) {
   return model;
 }
 
+const OPENS = new Set(['open', 'example', 'structgen', 'path']);
+/** Calls after which all is as it was. */
+const QUESTIONS = new Set(['boot', 'sample', 'again', 'forces', 'recorded', 'state', 'path_steps']);
+
 export class Session extends EventTarget {
   constructor() {
     super();
@@ -30,6 +34,7 @@ export class Session extends EventTarget {
     this.source = null;  // what was opened, to open it again with another model
     this.strokes = [];  // numbers of pulls of each drag or push, for undo
     this.queue = Promise.resolve();
+    this.asked = [];  // of the solver, since it was opened
     this.live = null;  // the run that is shown, in place of the solver
   }
 
@@ -52,8 +57,30 @@ export class Session extends EventTarget {
   /** One request after the other: a reply never belongs to a session that is no more. */
   ask(what, request, transfer) {
     const reply = this.queue.then(() => this.client.ask(what, request, transfer));
-    this.queue = reply.catch(() => {});
+    this.queue = reply.then(() => this.remember(what, request), () => {});
     return reply;
+  }
+
+  /** What changed the session, in its order: it can be done once more, to the same bits. */
+  remember(what, request) {
+    if (OPENS.has(what)) this.asked = [];
+    else if (!QUESTIONS.has(what)) this.asked.push({do: what, ...request});
+  }
+
+  /** Does again what another session was asked for, and stands where it stood. */
+  async repeat(asked, {strokes, pins}) {
+    let reply = null;
+    for (const {do: what, ...request} of asked) {
+      const {id, ok, ...done} = await this.ask(what, request);
+      if (what === 'settings') this.settings = done.settings ?? done;
+      else reply = done.frames?.at(-1) ?? done;
+      if (reply?.positions) [this.positions, this.step] = [reply.positions, reply.step];
+    }
+    this.before = null;
+    this.strokes = strokes;
+    this.pins = new Set(pins);
+    this.tell('settings', this.settings);
+    this.tell('pins', this.pins);
   }
 
   /** `known`: positions and bonds that a program knows better than the text of the file. */
