@@ -18,7 +18,7 @@ import {textInside} from './inside.mjs';
 import {Host} from './host.mjs';
 import {Live} from './live.mjs';
 import {Session} from './session.mjs';
-import {openShared} from './share/share.mjs';
+import {openPacked, openShared} from './share/share.mjs';
 import {Stage} from './stage.mjs';
 import {View} from './view/scene.mjs';
 
@@ -113,10 +113,14 @@ function loop(parts) {
 async function given(parts) {
   const block = $('given');
   if (!block) return false;
-  const {name, data, gone, model, live, isInside, known} = JSON.parse(block.textContent);
+  const {name, data, gone, model, live, isInside, known, session} = JSON.parse(block.textContent);
   if (gone) throw new Error(`${name} was handed out once. Call pliant play again, or drop the file here.`);
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
   if (isInside) parts.host = new Host(parts);
+  if (session) {
+    await openPacked(parts, Uint8Array.from(atob(session), (letter) => letter.charCodeAt(0)));
+    return true;
+  }
   await parts.open.openBytes(name, bytes, model, known);
   if (live) await new Live(parts).start(live);
   return true;

@@ -24,8 +24,8 @@ function lookOf({view, stage, look}) {
   return {style, colouring: stage.colouring, theme: look.theme};
 }
 
-/** Text of a page with this session. Throws Error if nothing is open. */
-export async function sharedPage(parts) {
+/** Bytes of a session, and of all that was recorded. Throws Error if nothing is open. */
+export async function packedSession(parts) {
   const {session, stage} = parts;
   if (!stage.frames.length) throw new Error('Nothing is recorded that could be shared.');
   const isOwn = !session.live && !stage.isReplay;
@@ -34,22 +34,31 @@ export async function sharedPage(parts) {
     ...(isOwn ? {source: session.source, asked: session.asked, strokes: session.strokes, pins: session.pins}
       : {model: stage.model, timestep: session.settings.timestep}),
   };
-  return pageWith({id: BLOCK, text: toDense(await packed(content))});
+  return packed(content);
+}
+
+/** Text of a page with this session. Throws Error if nothing is open. */
+export async function sharedPage(parts) {
+  return pageWith({id: BLOCK, text: toDense(await packedSession(parts))});
 }
 
 /** Opens what Share has put into this page; false if there is nothing. */
 export async function openShared(parts) {
   const block = document.getElementById(BLOCK);
   if (!block) return false;
-  const content = await unpacked(fromDense(block.textContent));
+  await openPacked(parts, fromDense(block.textContent));
+  return true;
+}
+
+/** Opens the bytes of packedSession(). */
+export async function openPacked(parts, bytes) {
+  const content = await unpacked(bytes);
   if (content.version !== VERSION) throw new Error('What this page holds was shared by another version of Pliant.');
   const {positions, facts} = content.frames;
   const frames = summed(positions, facts.length).map((row, k) => ({...facts[k], positions: row}));
   if (content.source) await openSession(parts, content, frames);
   else openWatched(parts, content, frames);
-  guarded(() => setLook(parts, content.look));
-  parts.shared = true;
-  return true;
+  await guarded(() => setLook(parts, content.look));
 }
 
 async function openSession({session, stage}, content, frames) {
