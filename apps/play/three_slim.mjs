@@ -24,6 +24,9 @@ const STAND_INS = {
 const GONE = /materials\/(Mesh(?!Basic)\w*|Sprite|Points|Shadow|LineDashed)Material\.js$/;
 const SHADER = /three\/src\/renderers\/shaders\/Shader(Chunk|Lib)\/(\w+)\.glsl\.js$/;
 
+/** Chunks that three puts into every program. */
+const OF_THE_PROGRAM = ['colorspace_pars_fragment', 'tonemapping_pars_fragment'];
+
 /** Names of the chunks that a shader includes, and those in turn. */
 function chunksOf(shaders, name, found = new Set()) {
   for (const [, chunk] of readFileSync(join(shaders, name), 'utf8').matchAll(/#include <(\w+)>/g))
@@ -37,7 +40,7 @@ const short = (text) => text.replace(/^\s*\/\/(?!.*`).*$/gm, '').replace(/^[ \t]
 /** `three`: the folder of the package. */
 export function threeSlim(three) {
   const shaders = join(three, 'src/renderers/shaders');
-  const kept = chunksOf(shaders, 'ShaderLib/meshbasic.glsl.js');
+  const kept = chunksOf(shaders, 'ShaderLib/meshbasic.glsl.js', new Set(OF_THE_PROGRAM));
   const shader = ({path}) => {
     const [, kind, name] = SHADER.exec(path);
     if (kind === 'Chunk') return kept.has(name) ? short(readFileSync(path, 'utf8')) : "export default '';";

@@ -34,7 +34,7 @@ target_include_directories(pliant_cxx_runtime PRIVATE
 target_compile_definitions(pliant_cxx_runtime PRIVATE
   _LIBCPP_BUILDING_LIBRARY _LIBCXXABI_BUILDING_LIBRARY LIBCXX_BUILDING_LIBCXXABI
   _LIBCXXABI_HAS_NO_THREADS _LIBUNWIND_HIDE_SYMBOLS)
-target_compile_options(pliant_cxx_runtime PRIVATE -w -O2)
+target_compile_options(pliant_cxx_runtime PRIVATE -w -Os)
 set_target_properties(pliant_cxx_runtime PROPERTIES
   CXX_STANDARD 23 CXX_STANDARD_REQUIRED ON UNITY_BUILD OFF)
 set_source_files_properties(${abi}/src/cxa_default_handlers.cpp

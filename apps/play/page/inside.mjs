@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What the page carries inside itself: blocks of gzip in base64, and workers made of them.
+// What the page carries inside itself: blocks of packed bytes as text, and workers made of them.
+import {fromDense} from './dense.mjs';
 
 async function gunzip(bytes) {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Bytes of the data block of this id; empty if the block is. */
-export async function bytesInside(id) {
-  const text = document.getElementById(id).textContent;
-  return gunzip(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)));
-}
+/** Bytes of the data block of this id, packed as they are. */
+export const packedInside = (id) => fromDense(document.getElementById(id).textContent);
+
+/** Bytes of the data block of this id, which gzip has packed. */
+export const bytesInside = (id) => gunzip(packedInside(id));
 
 export async function textInside(id) {
   return new TextDecoder().decode(await bytesInside(id));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: makes its parts and lets them hear of each other.
+import './share/document.mjs';  // first: the page as it was loaded
 import {Hand} from './hand.mjs';
 import {Beside} from './panel/beside.mjs';
 import {Compare} from './panel/compare.mjs';
@@ -30,6 +31,7 @@ import {textInside} from './inside.mjs';
 import {Host} from './host.mjs';
 import {Live} from './live.mjs';
 import {Session} from './session.mjs';
+import {openPacked, openShared} from './share/share.mjs';
 import {Stage} from './stage.mjs';
 import {Labels} from './view/labels.mjs';
 import {View} from './view/scene.mjs';
@@ -72,6 +74,7 @@ function makeParts() {
   parts.plots = new Plots(stage);
   parts.why = new Why(parts);
   parts.constraints = new Constraints(parts);
+  parts.transport.parts = parts;
   parts.keys = new Keys(parts);
   parts.hint = new Hint(session, stage);
   parts.demo = new Demo(parts);
@@ -145,10 +148,14 @@ function loop(parts) {
 async function given(parts) {
   const block = $('given');
   if (!block) return false;
-  const {name, data, gone, model, live, isInside, known} = JSON.parse(block.textContent);
+  const {name, data, gone, model, live, isInside, known, session} = JSON.parse(block.textContent);
   if (gone) throw new Error(`${name} was handed out once. Call pliant play again, or drop the file here.`);
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
   if (isInside) parts.host = new Host(parts);
+  if (session) {
+    await openPacked(parts, Uint8Array.from(atob(session), (letter) => letter.charCodeAt(0)));
+    return true;
+  }
   await parts.open.openBytes(name, bytes, model, known);
   if (live) await new Live(parts).start(live);
   return true;
@@ -171,7 +178,7 @@ async function begin() {
   const files = JSON.parse(await textInside('examples-inside'));
   for (const part of [parts.resolve, parts.open, parts.compare, parts.forces]) part.fill(facts, files);
   $('title').textContent = 'Open a file, drop one here, or choose an example';
-  const hasFile = await guarded(() => given(parts));
+  const hasFile = await guarded(async () => await openShared(parts) || given(parts));
   const told = $('message-text').textContent;
   if (hasFile) parts.demo.stop();
   else await first(parts, told);

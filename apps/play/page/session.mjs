@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The session: what is open, where it is, what has been done. It asks the worker, one request after
 // the other, and tells whoever listens; it knows no element of the page.
-import {workerInside, bytesInside, unzipped} from './inside.mjs';
+import {workerInside, packedInside, unzipped} from './inside.mjs';
 
 /** Fields that a reply of `open` may leave out. */
 function completed(reply) {
@@ -25,6 +25,10 @@ function completed(reply) {
   return model;
 }
 
+const OPENS = new Set(['open', 'example', 'structgen', 'path']);
+/** Calls after which all is as it was. */
+const QUESTIONS = new Set(['boot', 'sample', 'again', 'forces', 'recorded', 'state', 'path_steps']);
+
 export class Session extends EventTarget {
   constructor() {
     super();
@@ -35,6 +39,7 @@ export class Session extends EventTarget {
     this.source = null;  // what was opened, to open it again with another model
     this.strokes = [];  // numbers of pulls of each drag or push, for undo
     this.queue = Promise.resolve();
+    this.asked = [];  // of the solver, since it was opened
     this.live = null;  // the run that is shown, in place of the solver
     this.stepLimit = 100;  // ms after which a step is ended and taken back; 0: never
   }
@@ -50,16 +55,38 @@ export class Session extends EventTarget {
   /** Starts the solver; the reply of `boot` tells what it can do. */
   async boot() {
     this.client = await workerInside('solver-worker');
-    const wasm = await bytesInside('solver-wasm');
-    this.facts = await this.client.ask('boot', {wasm: wasm.buffer}, [wasm.buffer]);
+    const packed = packedInside('solver-wasm');
+    this.facts = await this.client.ask('boot', {packed}, [packed.buffer]);
     return this.facts;
   }
 
   /** One request after the other: a reply never belongs to a session that is no more. */
   ask(what, request, transfer) {
     const reply = this.queue.then(() => this.client.ask(what, request, transfer));
-    this.queue = reply.catch(() => {});
+    this.queue = reply.then(() => this.remember(what, request), () => {});
     return reply;
+  }
+
+  /** What changed the session, in its order: it can be done once more, to the same bits. */
+  remember(what, request) {
+    if (OPENS.has(what)) this.asked = [];
+    else if (!QUESTIONS.has(what)) this.asked.push({do: what, ...request});
+  }
+
+  /** Does again what another session was asked for, and stands where it stood. */
+  async repeat(asked, {strokes, pins}) {
+    let reply = null;
+    for (const {do: what, ...request} of asked) {
+      const {id, ok, ...done} = await this.ask(what, request);
+      if (what === 'settings') this.settings = done.settings ?? done;
+      else reply = done.frames?.at(-1) ?? done;
+      if (reply?.positions) [this.positions, this.step] = [reply.positions, reply.step];
+    }
+    this.before = null;
+    this.strokes = strokes;
+    this.pins = new Set(pins);
+    this.tell('settings', this.settings);
+    this.tell('pins', this.pins);
   }
 
   /** `known`: positions and bonds that a program knows better than the text of the file. */

@@ -93,6 +93,20 @@ export class Stage extends EventTarget {
     this.tell('began', model);
   }
 
+  /** What was recorded before, in place of what is held. */
+  restore(frames, at) {
+    this.frames.clear();
+    this.history = [];
+    this.fluctuation = new Fluctuation(frames[0].positions, this.measured());
+    for (const frame of frames) {
+      if (!this.frames.add(frame)) break;
+      this.remember(frame);
+    }
+    this.last = this.frames.at(-1);
+    if (at === null) this.live();
+    else this.show(at);
+  }
+
   /** One step of the walker. */
   take(step) {
     const isSeen = this.at === null || !this.session.live;  // a run goes on while its past is looked at

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Opens a molecule in the page, pulls on it by the mouse and saves what came of it:
 // node make_session.mjs FILE FOLDER [TECHNIQUE] [MODEL]. Writes session.h5md, session.pdb and
-// session.forces.txt to FOLDER, and prints how many steps there were.
+// session.forces.txt to FOLDER, and session.html, the page that is shared; prints how many steps there were.
 import {copyFileSync, readFileSync} from 'node:fs';
 import {basename, join} from 'node:path';
 import {drag, openPage, quit, saved} from './browser.mjs';
@@ -36,6 +36,8 @@ async function make(file, folder, technique = 'auto', model = 'auto') {
   await pullAbout(page);
   for (const [kind, name] of [['h5md', 'session.h5md'], ['pdb', 'session.pdb'], ['forces', 'session.forces.txt']])
     copyFileSync((await saved(page, kind)).path, join(folder, name));
+  const [shared] = await Promise.all([page.waitForEvent('download'), page.click('#share')]);
+  copyFileSync(await shared.path(), join(folder, 'session.html'));
   console.log(await page.evaluate(() => JSON.stringify({
     steps: P.stage.history.length, joints: P.stage.model.joints, model: P.stage.model.model,
   })));

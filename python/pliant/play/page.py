@@ -10,6 +10,7 @@ from pliant._core import Error, FileError, InputError
 
 PAGE = Path(__file__).with_name("pliant.html")
 PLACE = b"<!-- GIVEN -->"  #: in the page, where a molecule goes
+GIVEN = '<script type="application/json" id="given">'
 MOST_BYTES = 256 * 1024**2
 
 
@@ -43,7 +44,7 @@ def with_block(page: bytes, facts: Mapping[str, object]) -> bytes:
     import json
 
     text = json.dumps(facts).replace("<", "\\u003c")
-    block = f'<script type="application/json" id="given">{text}</script>'
+    block = f"{GIVEN}{text}</script>"
     return page.replace(PLACE, block.encode("ascii"), 1)
 
 
@@ -53,6 +54,15 @@ def with_file(page: bytes, name: str, data: bytes, **facts: object) -> bytes:
 
     file = {"name": name, "data": base64.b64encode(data).decode("ascii")}
     return with_block(page, {**file, **facts})
+
+
+def with_session(page: bytes, session: bytes) -> bytes:
+    """A page with a file inside that goes on from a session, packed as the page tells it."""
+    import base64
+
+    start = f"{GIVEN}{{".encode("ascii")
+    text = b'"session": "' + base64.b64encode(session) + b'", '
+    return page.replace(start, start + text, 1)
 
 
 def without_file(page: bytes, name: str) -> bytes:

@@ -12,7 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pliant._checked import checked, whole
-from pliant._core import Framework, Graph, OptionError, Structure, models, write_topology_pdb
+from pliant._core import (
+    Error,
+    Framework,
+    Graph,
+    OptionError,
+    Structure,
+    models,
+    read,
+    write_topology_pdb,
+)
 from pliant._extras import need
 from pliant._trajectory.sources import structure_of
 from pliant._trajectory.trajectory import HasFrames
@@ -81,7 +90,22 @@ def view(source: Any, *, model: str = "auto", height: int = 560) -> PlayView:
     full = page.with_file(
         bare, given.name, given.data, model=model, isInside=True, known=given.known
     )
-    return PlayView(full, given.start, height)
+    return PlayView(full, given.start, height, still_of(source, given.start))
+
+
+def still_of(source: Any, start: NDArray[np.float64]) -> bytes:
+    """A picture of it as it is given, b"" where that cannot be had: the page tells why."""
+    from pliant.play.still import picture
+
+    try:
+        if isinstance(source, (str, os.PathLike)):
+            structure = read(source)
+            return picture(structure.positions, structure.elements)
+        elements = getattr(source, "elements", None)
+        alike = elements is not None and len(elements) == len(start)
+        return picture(start, elements if alike else None)
+    except (Error, TypeError, ValueError):
+        return b""
 
 
 def given_of(source: Any) -> Given:

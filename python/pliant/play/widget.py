@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import base64
 import gzip
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,8 @@ import anywidget
 import numpy as np
 import traitlets
 from numpy.typing import NDArray
+
+from pliant.play import page as pages
 
 
 class PlayView(anywidget.AnyWidget):
@@ -32,9 +35,13 @@ class PlayView(anywidget.AnyWidget):
     positions = traitlets.Any()
     names = traitlets.List(traitlets.Unicode())
     model = traitlets.Unicode()
+    picture = traitlets.Bytes(b"").tag(sync=True)  # of what the page showed last: it is saved with
+    session = traitlets.Bytes(b"").tag(sync=True)  # the notebook, as what was done is
 
-    def __init__(self, page: bytes, start: NDArray[np.float64], height: int) -> None:
-        super().__init__(height=height, positions=start)
+    def __init__(
+        self, page: bytes, start: NDArray[np.float64], height: int, picture: bytes = b""
+    ) -> None:
+        super().__init__(height=height, positions=start, picture=picture)
         self._page = gzip.compress(page, compresslevel=1)
         self.on_msg(self._take)
 
@@ -42,11 +49,28 @@ class PlayView(anywidget.AnyWidget):
         """What a cell that shows the page says."""
         tell = said.get("tell")
         if tell == "ready":
-            self.send({"tell": "page"}, buffers=[self._page])
+            self.send({"tell": "page"}, buffers=[self._page_of_now()])
         elif tell == "opened":
             self.names, self.model = said["names"], said["model"]
         elif tell == "moved":
             self.positions = np.frombuffer(buffers[0], "<f8").reshape(-1, 3).copy()
+        elif tell == "rested":
+            self.picture, self.session = bytes(buffers[0]), bytes(buffers[1])
+
+    def _page_of_now(self) -> bytes:
+        """The page, where what was done in it has been done: a notebook was opened once more."""
+        if not self.session:
+            return self._page
+        page = pages.with_session(gzip.decompress(self._page), self.session)
+        return gzip.compress(page, compresslevel=1)
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        """The widget, and a picture for where there is no kernel."""
+        found = super()._repr_mimebundle_(**options)
+        data = found[0] if isinstance(found, tuple) else found
+        if data is not None and self.picture:
+            data["image/png"] = base64.b64encode(self.picture).decode("ascii")
+        return found
 
     def __repr__(self) -> str:
         return f"<PlayView of {len(self.positions)} joints>"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The page in Debian's Firefox, where that and Xvfb are there: one drag, the same bits."""
 
+import base64
 import os
 import shutil
 import subprocess
@@ -68,3 +69,32 @@ def test_a_drag_in_firefox_has_the_bits_of_the_library(tmp_path):
     assert len(frames) >= 6
     assert np.array_equal(frames[-1].ravel(), session["positions"])
     assert not np.array_equal(frames[-1], frames[0])
+
+
+#: Bytes of the positions of all frames, and of where the solver stands.
+BITS = """window.pliant.then(({stage, session}) => {
+  const arrays = [...stage.frames.list.map(({positions}) => positions), session.positions];
+  return arrays.map((array) => btoa(Array.from(new Uint8Array(array.buffer, array.byteOffset,
+    array.byteLength), (byte) => String.fromCharCode(byte)).join('')));
+})"""
+
+
+@pytest.mark.long
+def test_a_page_shared_from_chromium_is_the_same_bits_in_firefox(tmp_path):
+    if not (BINARY and shutil.which("Xvfb") and BUILT.is_file() and shutil.which("node")):
+        pytest.skip("firefox-esr, xvfb, node or the page is not there: apt-get install, ./dev play")
+    pytest.importorskip("websockets")
+    script, peptide = (
+        ROOT / "apps/play/test/make_session.mjs",
+        ROOT / "data/molecules/peptide_20.pdb",
+    )
+    subprocess.run(["node", script, peptide, tmp_path], check=True, capture_output=True)
+    (tmp_path / "profile").mkdir()
+    with Firefox(tmp_path / "profile") as firefox:
+        firefox.open((tmp_path / "session.html").as_uri())
+        rows = [np.frombuffer(base64.b64decode(row)) for row in firefox.tell(BITS)]
+    with h5py.File(tmp_path / "session.h5md") as found:
+        frames = found["particles/trajectory/position/value"][:].reshape(-1, 3 * 327)
+    assert len(rows) == len(frames) + 1 >= 12
+    assert all(a.tobytes() == b.tobytes() for a, b in zip(rows, frames, strict=False))
+    assert rows[-1].tobytes() == frames[-1].tobytes()  # the solver has come there, too

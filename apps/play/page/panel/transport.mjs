@@ -4,6 +4,7 @@ import {$, guarded, say} from './dom.mjs';
 import {FrameOrder} from './frame_order.mjs';
 import {h5mdBytes} from '../record/hdf5.mjs';
 import {pdbText} from '../record/pdb.mjs';
+import {SAVES} from '../share/save.mjs';
 
 /** Hands a file to the browser. */
 export function download(parts, name, type) {
@@ -27,6 +28,7 @@ export class Transport {
     $('scrub').oninput = () => this.scrub();
     $('undo').onclick = () => guarded(() => this.undo());
     $('save').onchange = () => this.chosen();
+    $('share').onclick = () => guarded(() => this.save('share'));
     stage.on('changed', () => this.refresh());
     stage.on('full', () => say('The recording is full (768 MB) and has stopped: save it, or undo.', true));
     session.on('step', () => session.live || this.play(false));
@@ -103,6 +105,7 @@ export class Transport {
     const {stage, session} = this;
     if (!stage.model) throw new Error('Nothing is open that could be saved.');
     const stem = stemOf(session.fileName || stage.model.title);
+    if (SAVES[kind]) return this.saveBeside(SAVES[kind], stem);
     if (kind === 'forces') return this.saveForces(stem);
     if (kind === 'png') return this.savePicture(stem);
     if (kind === 'pdb')
@@ -112,6 +115,12 @@ export class Transport {
     const recorded = isOwn ? await session.recorded() : null;
     const bytes = await h5mdBytes(stage.model, stage.frames.list, timestep, recorded);
     return download([bytes], `${stem}.h5md`, 'application/x-hdf5');
+  }
+
+  async saveBeside({make, ending, type}, stem) {
+    say('Making the file…', true);
+    download(await make(this.parts), `${stem}.${ending}`, type);
+    say('');
   }
 
   async saveForces(stem) {
