@@ -149,7 +149,7 @@ async function begin() {
   const told = $('message-text').textContent;
   if (hasFile) parts.demo.stop();
   else await first(parts, told);
-  return {...parts, costs, facts};
+  return {...parts, costs, facts, say};
 }
 
 window.pliant = guarded(begin);
