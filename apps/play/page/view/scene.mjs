@@ -25,7 +25,7 @@ export const STYLES = {
   'trace-lines': {title: 'Trace and lines', ball: 0, stick: 0.06, trace: 0.4},
 };
 
-const COLOURS = {
+export const COLOURS = {
   hoverColour: '#ffd23f', nearColour: '#56b4e9', farColour: '#e69f00', pinColour: '#222831',
   waveColour: '#56b4e9', longColour: '#e0201b', shortColour: '#c2185b', plainColour: '#9aa3ad',
   litColour: '#ffd23f',
