@@ -28,6 +28,7 @@ SEQUENCE = LOOP.join(HELICES)
 # Basins of phi and psi that the residues of a loop may take: alpha, beta, left-handed.
 BASINS = ((-65.0, -40.0), (-120.0, 130.0), (-75.0, 145.0), (60.0, 40.0))
 TRIALS = 4000
+REACH = {"G": 0.0, "A": 1.5, "S": 2.0, "P": 1.9, "V": 2.0, "N": 2.5}  # of side chains, Angstrom
 
 
 def place(a, b, c, length, angle, torsion):
@@ -70,14 +71,28 @@ def axis(alpha_carbons):
     return middle, way * np.sign(way @ (alpha_carbons[-1] - alpha_carbons[0]))
 
 
+def tips(atoms):
+    """Where the side chains end, about: along CA to CB, as far as the residue is long."""
+    n, ca, c = atoms[:, 0], atoms[:, 1], atoms[:, 2]
+    out = 2 * ca - n - c
+    side = np.cross(n - ca, c - ca)
+    way = 0.58 * out / np.linalg.norm(out, axis=1, keepdims=True)
+    way += 0.82 * side / np.linalg.norm(side, axis=1, keepdims=True)
+    return ca + way * np.array([REACH.get(letter, 3.0) for letter in SEQUENCE])[:, None]
+
+
 def badness(atoms):
     """Least where the first two helices pack, and the third is ajar and touches nothing."""
     ca = atoms[:, 1]
     between = np.linalg.norm(ca[:, None] - ca[None], axis=2)
     near = between[np.triu_indices(len(ca), 3)]
     clashes = np.clip(5.2 - near, 0, None).sum()
+    ends = tips(atoms)
+    crowd = np.linalg.norm(np.concatenate([ends, ca])[:, None] - ends[None], axis=2)
+    far = np.abs(np.subtract.outer(np.tile(np.arange(len(ca)), 2), np.arange(len(ca)))) > 3
+    clashes += np.clip(4.6 - crowd[far], 0, None).sum()
     (m1, w1), (m2, w2), (m3, w3) = (axis(ca[a:b]) for a, b in stretches())
-    packed = abs(np.linalg.norm(m2 - m1) - 9.8) + 8 * (1 + w1 @ w2)
+    packed = abs(np.linalg.norm(m2 - m1) - 10.2) + 8 * (1 + w1 @ w2)
     side = abs(np.linalg.norm(m3 - m2) - 15.0) + abs(np.linalg.norm(m3 - m1) - 17.0)
     first, second, third = (ca[a:b] for a, b in stretches())
     across = np.linalg.norm(third[:, None] - np.concatenate([first, second])[None], axis=2)
@@ -172,12 +187,13 @@ def settle(peptide, positions):
     molecule.AddConformer(conformer)
     properties = AllChem.MMFFGetMoleculeProperties(molecule)
     properties.SetMMFFDielectricConstant(80.0)  # charges as in water
-    for slack, steps in ((0.3, 400), (0.5, 2000)):
+    for slack, steps in ((0.1, 300), (0.3, 1500)):
         field = AllChem.MMFFGetMoleculeForceField(molecule, properties, nonBondedThresh=9.0)
         for k, name in enumerate(peptide.names):
-            if name in ("N", "CA", "C"):
-                field.MMFFAddPositionConstraint(k, slack, 20.0)
-        field.Minimize(maxIts=steps)
+            if name in ("N", "CA", "C", "O"):
+                field.MMFFAddPositionConstraint(k, slack, 200.0)
+        field.Initialize()
+        print(slack, field.Minimize(maxIts=steps), field.CalcEnergy(), flush=True)
 
 
 def three_helices() -> Sketch:

@@ -33,8 +33,9 @@ import {Live} from './live.mjs';
 import {Session} from './session.mjs';
 import {openPacked, openShared} from './share/share.mjs';
 import {Stage} from './stage.mjs';
+import {palettes} from './view/colours.mjs';
 import {Labels} from './view/labels.mjs';
-import {View} from './view/scene.mjs';
+import {COLOURS, View} from './view/scene.mjs';
 
 const FIRST = 'three_helices.pdb';  // opened where nothing was given
 const WAY = [0, 1];  // of the hand of the start scene, on the screen
@@ -182,7 +183,7 @@ async function begin() {
   const told = $('message-text').textContent;
   if (hasFile) parts.demo.stop();
   else await first(parts, told);
-  return {...parts, costs, facts};
+  return {...parts, costs, facts, say, palettes: () => palettes(parts.stage.model, COLOURS)};
 }
 
 window.pliant = guarded(begin);

@@ -40,7 +40,7 @@ PLIANT_CONTACT_KIND(metal, 4, find_metals,  //
 PLIANT_CONTACT_KIND(cation_pi, 5, find_cation_pi,  //
                     .singular = "cation-pi contact", .plural = "cation-pi contacts",
                     .summary = "LYS or ARG over the face of a ring of PHE, TYR or TRP",
-                    .hold = ContactHold::below, .slack = 0.5, .bars = 2, .colour = "#c77f2e",
+                    .hold = ContactHold::below, .slack = 0.5, .bars = 2, .colour = "#f0a202",
                     .is_usual = false)
 
 #undef PLIANT_CONTACT_KIND

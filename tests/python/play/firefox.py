@@ -17,6 +17,7 @@ BINARY = shutil.which("firefox-esr") or shutil.which("firefox")
 
 PREFERENCES = {
     "webgl.force-enabled": True,  # drawn by software, too
+    "ui.prefersReducedMotion": 1,  # no start scene
     "app.update.auto": False,
     "browser.shell.checkDefaultBrowser": False,
     "datareporting.policy.dataSubmissionEnabled": False,

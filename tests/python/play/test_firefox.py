@@ -38,6 +38,7 @@ def dragged(firefox):
     """Opens the page, drags a joint of caffeine: forces as text, positions, model, complaints."""
     firefox.open(BUILT.as_uri())
     assert firefox.tell("window.pliant.then((parts) => { window.P = parts; return !!parts; })")
+    firefox.tell("P.open.openExample('caffeine.sdf').then(() => true)")
     seen = firefox.tell(SEEN)
     move = {"type": "pointerMove", "x": seen["x"], "y": seen["y"]}
     firefox.mouse(move, {"type": "pointerDown", "button": 0})

@@ -8,6 +8,7 @@ const WANDER = 24;  // CSS pixels of a pointer over the picture that count as do
 const OUT = 1500;  // ms in which the hand comes as far as it goes; the same time back
 const FAR = 0.2;  // of the shorter edge of the picture
 const WAIT = 400;  // ms before it begins
+const SLOW = 40;  // ms of the scene that a frame stands for at most: a slow page shows it slower
 
 const still = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 const eased = (share) => share * share * (3 - 2 * share);
@@ -32,7 +33,7 @@ export class Demo {
   start(joint, way) {
     if (this.isOver) return this.stop();
     const {width, height} = this.view.orbit.size;
-    Object.assign(this, {joint, reach: way.map((x) => x * FAR * Math.min(width, height)), began: null});
+    Object.assign(this, {joint, reach: way.map((x) => x * FAR * Math.min(width, height)), time: -WAIT});
     this.from = this.view.orbit.project(this.hand.positionOf(joint));
     this.hint.isDemo = true;
     return new Promise((done) => { this.finish = done; });
@@ -41,8 +42,9 @@ export class Demo {
   /** Once a frame of the screen. */
   tick(now) {
     if (this.isOver || this.joint === undefined) return;
-    this.began ??= now + WAIT;
-    const share = (now - this.began) / OUT;
+    this.time += Math.min(SLOW, now - (this.before ?? now));
+    this.before = now;
+    const share = this.time / OUT;
     if (share >= 2) return this.end();
     const along = eased(Math.max(0, share <= 1 ? share : 2 - share));
     const at = {x: this.from.x + along * this.reach[0], y: this.from.y + along * this.reach[1]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The keyboard, and the dialogs that tell about it.
-import {$, guarded, say} from './dom.mjs';
+import {$, guarded, say, units} from './dom.mjs';
 import {helpRow} from './look.mjs';
 import {textInside} from '../inside.mjs';
 
@@ -13,6 +13,7 @@ const HELP = [
   [['wheel'], 'nearer or farther; two fingers on a touch screen'],
   [['Ctrl', 'click'], 'pin a joint, or take the pin out'],
   [['←', '→', '↑', '↓'], 'turn the picture'],
+  [['Alt', '←→↑↓'], 'move the picture'],
   [[',', '.'], 'choose the joint before or after'],
   [['Shift', '←→↑↓'], 'pull the chosen joint'],
   [['+', '−'], 'nearer, farther'],
@@ -45,6 +46,7 @@ export class Keys {
     $('about-open').onclick = () => this.about();
     addEventListener('keydown', (event) => this.press(event));
     this.stage.on('began', () => { this.chosen = -1; });
+    this.session.on('undone', ({steps}) => { $('said').textContent = `${units(steps, 'step')} taken back`; });
     this.letters = {
       p: () => this.pin(), r: () => $('record').click(), z: () => $('undo').click(),
       f: () => this.fit(), w: () => $('wander').click(), t: () => $('theme').click(),
@@ -70,24 +72,34 @@ export class Keys {
   press(event) {
     const {target, key} = event;
     const isTyping = TYPING.test(target.tagName) || document.querySelector('dialog[open]');
-    if (isTyping || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (isTyping || event.ctrlKey || event.metaKey || (event.altKey && !ARROWS[event.key])) return;
     const arrow = ARROWS[key];
-    const action = arrow ? () => this.arrow(arrow, event.shiftKey) : this.letters[key.toLowerCase()];
+    const action = arrow ? () => this.arrow(arrow, event) : this.letters[key.toLowerCase()];
     if (!action || !this.stage.model) return;
     event.preventDefault();
     guarded(action);
   }
 
-  arrow([dx, dy], isPull) {
-    if (isPull) return this.pull(dx, dy);
-    this.view.orbit.rotate(dx * STEP, dy * STEP);
+  arrow([dx, dy], {shiftKey, altKey}) {
+    if (shiftKey) return this.pull(dx, dy);
+    if (altKey) this.view.orbit.pan(dx * STEP, dy * STEP);
+    else this.view.orbit.rotate(dx * STEP, dy * STEP);
     this.view.stale = true;
     return undefined;
   }
 
   pull(dx, dy) {
     if (this.chosen < 0) return say('Choose a joint first, by the keys , and .', true);
-    return this.hand.isReplay ? undefined : this.hand.nudge(this.chosen, dx * STEP, dy * STEP);
+    return this.hand.isReplay ? undefined : this.nudge(dx * STEP, dy * STEP);
+  }
+
+  /** The step, and in words how far it came. */
+  async nudge(dx, dy) {
+    const {chosen, hand} = this;
+    const before = hand.positionOf(chosen);
+    await hand.nudge(chosen, dx, dy);
+    const far = Math.hypot(...hand.positionOf(chosen).map((x, c) => x - before[c]));
+    $('said').textContent = `${hand.describe(chosen)} moved ${far.toFixed(2)} Å`;
   }
 
   choose(way) {
@@ -109,7 +121,9 @@ export class Keys {
 
   pin() {
     const joint = this.chosen >= 0 ? this.chosen : this.hand.hovered;
-    if (joint >= 0) this.session.togglePin(joint);
+    if (joint < 0) return;
+    this.session.togglePin(joint);
+    $('said').textContent = this.hand.describe(joint);
   }
 
   zoom(factor) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Colours of joints. Categories are those of Okabe & Ito (2008) and of Paul Tol's "muted" set, the
+// Colours of joints. The first eight categories are those of Okabe & Ito (2008), the others were chosen
+// so that all stay apart for each kind of colour vision (test/vision.mjs), the
 // scale is cividis (Nunez, Anderton & Renslow 2018): all can be told apart by colour-blind people.
 
 const hex = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
@@ -14,9 +15,9 @@ const ELEMENTS = {
 const OTHER = '#b08aa0';
 export const CATEGORIES = [
   '#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9', '#d55e00', '#f0e442', '#332288',
-  '#88ccee', '#44aa99', '#117733', '#999933', '#ddcc77', '#cc6677', '#882255', '#aa4499',
+  '#8020f0', '#802020', '#a8f0a8', '#a8a850', '#a850f0', '#a82080', '#a85020', '#a82050',
 ].map(hex);
-const FLEXIBLE = hex('#9aa3ad');
+const FLEXIBLE = hex('#c8ced4');
 const CIVIDIS = ['#00224e', '#2a3f6d', '#575d6d', '#7d7c78', '#a59c74', '#d2c060', '#fee838'].map(hex);
 
 // Van der Waals radii in Angstrom (Bondi 1964; H: Rowland & Taylor 1996); 0 is a joint of no element.
@@ -122,4 +123,19 @@ export function jointLook(model, colouring, facts, radiusOf, out) {
     out[4 * joint + 2] = colour[2];
     out[4 * joint + 3] = Math.round(radiusOf(joint) / 4 * 255);
   }
+}
+
+const text = (colour) => `#${colour.map((x) => x.toString(16).padStart(2, '0')).join('')}`;
+
+/** Sets of colours of which each means something else, and how far apart they have to be in CIELAB
+ * whatever the eye sees: categories, contacts by kind, elements of proteins, strain of bars. */
+export function palettes({contactKindNames = [], contactKindColours = []}, {longColour, shortColour, plainColour}) {
+  const named = (list) => Object.fromEntries(list.map((colour, k) => [`${k}`, text(colour)]));
+  const elements = {H: 1, C: 6, N: 7, O: 8, S: 16};
+  return {
+    categories: {colours: named([...CATEGORIES, FLEXIBLE]), least: 14},
+    contacts: {colours: Object.fromEntries(contactKindColours.map((colour, k) => [contactKindNames[k], colour])), least: 15},
+    elements: {colours: Object.fromEntries(Object.entries(elements).map(([name, k]) => [name, ELEMENTS[k]])), least: 20},
+    strain: {colours: {long: longColour, short: shortColour, plain: plainColour}, least: 20},
+  };
 }

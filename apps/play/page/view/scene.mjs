@@ -22,7 +22,7 @@ const rgb = (text) => new Vector3(...[1, 3, 5].map((k) => parseInt(text.slice(k,
 
 export {STYLES};
 
-const COLOURS = {
+export const COLOURS = {
   hoverColour: '#ffd23f', nearColour: '#56b4e9', farColour: '#e69f00', pinColour: '#222831',
   waveColour: '#56b4e9', longColour: '#e0201b', shortColour: '#c2185b', plainColour: '#9aa3ad',
   litColour: '#ffd23f',
