@@ -30,7 +30,7 @@ const COLOURS = {
 
 function uniformsOf() {
   const values = {
-    positions: null, look: null, marks: null, bars: null, controls: null, strain: null,
+    positions: null, look: null, marks: null, bars: null, controls: null, strain: null, limits: null, firstContact: 0, byTautness: 0,
     width: WIDTH, joints: 1, firstWalker: 0, barCount: 1, pieceCount: 1, ballScale: 0.24, unit: 1,
     stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0, rich: 1,
     kindRadius: new Vector4(1, 0, 0.45, 0), lit: new Vector3(-1, -1, -1),
@@ -113,10 +113,11 @@ export class View {
     this.textures = new Textures(this.model, walkers);
     this.walkers = walkers;
     const {textures, uniforms} = this;
-    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls'])
+    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls', 'limits'])
       uniforms[name].value = textures[name];
     uniforms.joints.value = this.model.joints;
     uniforms.barCount.value = Math.max(1, textures.stickCount);
+    uniforms.firstContact.value = textures.firstContact;
     uniforms.pieceCount.value = Math.max(1, textures.pieceCount);
     this.stale = true;
   }
@@ -140,6 +141,12 @@ export class View {
     uniforms.traceRadius.value = style.trace;
     uniforms.kindRadius.value.set(1, this.showAllBars ? 0.35 : 0, this.showContacts ? 0.5 : 0, 0);
     this.stale = true;
+  }
+
+  /** Contacts in the colour of how near they are to a limit, also those that a cartoon leaves out. */
+  showTautness(isOn) {
+    this.uniforms.byTautness.value = Number(isOn);
+    this.members.firstContact = isOn ? this.textures.firstContact : Infinity;
   }
 
   setBackground(text) {

@@ -131,11 +131,18 @@ void box() {
 export const stickVertex = shared + capsuleVertex + /* glsl */`
 uniform isampler2D bars;               // joint, joint, kind; of a contact 0xrrggbb
 uniform highp sampler2D strain;        // relative deviation of a bar
-uniform int barCount;
+uniform highp sampler2D limits;        // of a contact: least, at the start, most
+uniform int barCount, firstContact;
+uniform float byTautness;              // 1: contacts in the colour of how near they are to a limit
 uniform float stickRadius, residualScale, litBar;
 uniform vec4 kindRadius;               // of bonds, other bars, contacts, all in shares of stickRadius
 uniform vec3 longColour, shortColour, plainColour, litColour;
 uniform float splitColours;            // 1: each half takes the colour of its joint
+vec3 tautness(vec3 l, float now) {     // TAUTNESS of colours.mjs
+  float t = clamp(now > l.y ? (now - l.y) / max(l.z - l.y, 1e-3) : l.x > 0. ? (l.y - now) / max(l.y - l.x, 1e-3) : 0., 0., 1.);
+  vec3 between = vec3(.94, .706, 0.);
+  return t < .5 ? mix(vec3(.263, .576, .765), between, 2. * t) : mix(between, vec3(.698, .094, .169), 2. * t - 1.);
+}
 float shownStrain(float s) {           // 0 at 1e-4 of the length, 1 at a tenth of it
   return clamp((log(abs(s) * residualScale + 1e-9) / log(10.) + 4.) / 3., 0., 1.);
 }
@@ -155,6 +162,10 @@ void main() {
   colourFrom = mix(plainColour, texelFetch(look, texel(b.x), 0).rgb, splitColours);
   colourTo = mix(plainColour, texelFetch(look, texel(b.y), 0).rgb, splitColours);
   if (b.z == 2) colourFrom = colourTo = vec3(b.w >> 16 & 255, b.w >> 8 & 255, b.w & 255) / 255.;
+  if (b.z == 2 && byTautness > .5) {
+    colourFrom = colourTo = tautness(texelFetch(limits, texel(bar - firstContact), 0).xyz, distance(from, to));
+    radius *= 1.6;
+  }
   if (walker > 0) { colourFrom = mix(colourFrom, vec3(.5), .35); colourTo = mix(colourTo, vec3(.5), .35); }
   vec3 broken = s > 0. ? longColour : shortColour;
   colourFrom = mix(colourFrom, broken, t);
