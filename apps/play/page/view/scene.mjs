@@ -6,6 +6,7 @@ import {
 } from 'three';
 import {Arrow} from './arrow.mjs';
 import {Orbit} from './camera.mjs';
+import {DepthLook} from './depth_look.mjs';
 import {Members} from './members.mjs';
 import {Quality, isSoftware} from './quality.mjs';
 import {Ribbon} from './ribbon.mjs';
@@ -32,7 +33,7 @@ function uniformsOf() {
   const values = {
     positions: null, look: null, marks: null, bars: null, controls: null, strain: null, limits: null, firstContact: 0, byTautness: 0,
     width: WIDTH, joints: 1, firstWalker: 0, barCount: 1, pieceCount: 1, ballScale: 0.24, unit: 1,
-    stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0, rich: 1,
+    stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0, rich: 1, unlit: 0,
     kindRadius: new Vector4(1, 0, 0.45, 0), lit: new Vector3(-1, -1, -1),
     background: new Vector3(1, 1, 1), fog: new Vector2(10, 100),
   };
@@ -73,6 +74,7 @@ export class View {
     this.sticks = layer(box, this.uniforms, stickVertex, stickFragment, false, this.members.sticks);
     this.trace = layer(box, this.uniforms, traceVertex, stickFragment, false);
     this.arrow = new Arrow();
+    this.depthLook = new DepthLook(this.uniforms, this.isSmooth ? 4 : 0);
     this.scene.add(this.ribbon.mesh, this.balls, this.sticks, this.trace);
     this.patch = new WebGLRenderTarget(1, 1);
     this.walkers = this.detail = this.ratio = 1;
@@ -215,8 +217,18 @@ export class View {
     if (this.split) return this.drawSplit();
     this.uniforms.firstWalker.value = 0;
     this.count(this.walkers);
-    this.renderer.render(this.scene, this.orbit.camera);
+    this.render();
     return this.arrow.draw(this.renderer, this.orbit.camera);
+  }
+
+  /** With outlines and shadows, where there is time for them; a surface is nothing without. */
+  render() {
+    const {renderer, scene, uniforms} = this;
+    const {camera} = this.orbit;
+    const isSurface = Boolean(STYLES[this.style].isSurface);
+    if (!isSurface && !uniforms.rich.value) return renderer.render(scene, camera);
+    this.depthLook.draw(renderer, scene, camera, {isSurface, ratio: renderer.getPixelRatio()});
+    return undefined;
   }
 
   /** Two walkers beside each other under one camera. */

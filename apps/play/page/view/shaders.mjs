@@ -35,8 +35,10 @@ uniform vec3 background;
 uniform vec2 fog;        // distances from the eye at which it begins and ends
 uniform float picking;   // 1: write numbers, not colours
 uniform float rich;      // 1: with a glint
+uniform float unlit;     // 1: the colour alone; the light comes later
 layout(location = 0) out vec4 pixel;
 vec3 shade(vec3 colour, vec3 hit, vec3 normal) {
+  if (unlit > .5) return colour;
   vec3 eye = normalize(-hit);
   float facing = max(dot(normal, eye), 0.);
   float light = .38 + .62 * pow(max(dot(normal, normalize(vec3(-.35, .55, .8))) * .5 + .5, 0.), 1.4);
