@@ -19,7 +19,7 @@ const fragmentShader = shading + /* glsl */`
 uniform sampler2D picture;
 uniform highp sampler2D depths;
 uniform vec2 pixelSize;    // of one pixel of the screen, in shares of the picture
-uniform float unit, isSurface, slope;  // slope: half height by distance
+uniform float unit, isSurface, hardEdges, slope;  // slope: half height by distance
 in vec2 place;
 float far(vec2 at) {       // distance along the view, Angstrom
   float depth = 2. * texture(depths, at).r - 1.;
@@ -65,6 +65,7 @@ void main() {
   pixel = texture(picture, place);
   bool ground = isGround(place);
   float z = far(place);
+  if (hardEdges > .5 && !ground) pixel.a = 1.;  // no samples to spread a share of a pixel over
   if (isSurface > .5 && !ground) pixel.rgb = surface(pixel.rgb, z);
   if (rich < .5) return;
   vec2 dark = covered(z);
@@ -79,7 +80,7 @@ export class DepthLook {
   constructor(shared, samples) {
     this.uniforms = {
       ...shared, picture: {value: null}, depths: {value: null}, pixelSize: {value: new Vector2()},
-      isSurface: {value: 0}, slope: {value: 1},
+      isSurface: {value: 0}, hardEdges: {value: Number(!samples)}, slope: {value: 1},
     };
     this.samples = samples;
     this.scene = new Scene();
