@@ -35,7 +35,8 @@ import {openPacked, openShared} from './share/share.mjs';
 import {Stage} from './stage.mjs';
 import {palettes} from './view/colours.mjs';
 import {Labels} from './view/labels.mjs';
-import {COLOURS, View} from './view/scene.mjs';
+import {View} from './view/scene.mjs';
+import {COLOURS} from './view/uniforms.mjs';
 
 const FIRST = 'three_helices.pdb';  // opened where nothing was given
 const WAY = [0, 1];  // of the hand of the start scene, on the screen

@@ -207,6 +207,7 @@ export class Stage extends EventTarget {
     const single = style.ribbon ? 4 : 1.7;  // what no stick leads to is seen beside a cartoon
     const radius = style.ball ? (joint) => vanDerWaals(model.elements[joint])
       : (joint) => view.members.isAlone[joint] ? single : 1.7;
+    view.showTautness(this.colouring === 'contacts');
     const {look} = view.textures;
     const residuals = this.residuals ?? this.last?.broken;
     jointLook(model, this.colouring, {mobility, residuals}, radius, look.image.data);

@@ -80,9 +80,8 @@ class Backbone {
   }
 
   void consider(std::size_t acceptor, std::size_t donor) {
-    const std::size_t apart =
-        donor > acceptor ? donor - acceptor : 3;  // backwards all but the next
-    if (apart > 2 && donates_[donor] && energy(acceptor, donor) < weakest)
+    const bool is_near = donor >= acceptor && donor - acceptor <= 2;
+    if (!is_near && donates_[donor] && energy(acceptor, donor) < weakest)
       donors_[acceptor].push_back(donor);
   }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How it is drawn: style, colours, background, dark and light.
-import {$, element, fillSelect, units} from './dom.mjs';
-import {clusterColours, COLOURINGS, domainColour, scaleColour} from '../view/colours.mjs';
+import {$, element, fillSelect} from './dom.mjs';
+import {showLegend} from './legend.mjs';
+import {COLOURINGS} from '../view/colours.mjs';
 import {STYLES, needsTrace} from '../view/styles.mjs';
 
 const GROUNDS = {light: '#f7f9fb', dark: '#10161c'};
-const LEGENDS = {
-  residual: ['10⁻⁴', '10⁻¹ of the length'], mobility: ['still', 'most mobile'],
-  sequence: ['first', 'last'], domain: ['the largest domain', 'the smallest'],
-};
 
 export class Look {
   constructor(view, stage) {
@@ -17,7 +14,7 @@ export class Look {
     fillSelect($('style'), Object.entries(STYLES).map(([name, {title}]) => ({name, title})), 'balls');
     fillSelect($('colouring'), COLOURINGS, 'element');
     $('style').onchange = () => this.setStyle(this.ownStyle = $('style').value);
-    $('colouring').onchange = () => this.setColouring($('colouring').value);
+    $('colouring').onchange = () => this.setColouring(this.ownColouring = $('colouring').value);
     $('background').oninput = () => this.setGround($('background').value);
     $('background-reset').onclick = () => this.resetGround();
     $('show-contacts').onchange = () => this.toggles();
@@ -31,6 +28,7 @@ export class Look {
 
   /** The trace of a protein is offered where there is one; large ones begin with it. */
   began(model) {
+    this.model = model;
     const hasTrace = model.trace.length > 2;
     for (const option of $('style').options) option.disabled = needsTrace(option.value) && !hasTrace;
     this.chooseStyle(model, hasTrace);
@@ -38,7 +36,9 @@ export class Look {
     this.allow('chain', new Set(model.chain).size > 1);
     this.allow('cluster', hasClusters);
     this.allow('domain', Boolean(model.domain));
-    this.model = model;
+    this.allow('secondary', /[HE-]/.test(model.secondary ?? ''));
+    this.allow('contacts', model.contacts.length > 0);
+    this.chooseColouring(model);
     this.legend();
   }
 
@@ -49,6 +49,15 @@ export class Look {
     const wanted = this.ownStyle ?? usual;
     const style = needsTrace(wanted) && !hasTrace ? 'balls' : wanted;
     if (style !== this.view.style) this.setStyle(style);
+  }
+
+  /** A cartoon tells helices from strands, or chains apart; the rest is told by element. */
+  chooseColouring(model) {
+    if (this.ownColouring) return;
+    const isSeveral = new Set(model.chain).size > 1;
+    const usual = !STYLES[this.view.style].ribbon ? 'element' : isSeveral ? 'chain' : 'secondary';
+    const isAllowed = ![...$('colouring').options].find(({value}) => value === usual).disabled;
+    this.setColouring(isAllowed ? usual : 'element');
   }
 
   /** A colouring that has nothing to tell of this model cannot be chosen. */
@@ -99,25 +108,8 @@ export class Look {
   }
 
   legend() {
-    const isCluster = this.stage.colouring === 'cluster' && this.model;
-    const words = isCluster ? clusterWords(this.model) : LEGENDS[this.stage.colouring] ?? ['', ''];
-    [$('legend-low').textContent, $('legend-high').textContent] = words;
-    const isDomain = this.stage.colouring === 'domain' && this.model?.domain;
-    const colours = isCluster ? clusterColours(this.model) : isDomain ? [0, 1, 2, 3].map(domainColour).slice(0, this.model.domains) : null;
-    const pen = $('legend-bar').getContext('2d');
-    pen.clearRect(0, 0, 90, 8);
-    for (let x = 0; x < 90; ++x) {
-      const colour = colours ? colours[Math.floor(x / 90 * colours.length)] : scaleColour(x / 89);
-      if (!colour) continue;
-      pen.fillStyle = `rgb(${colour.join(',')})`;
-      pen.fillRect(x, 0, 1, 8);
-    }
+    showLegend(this.stage.colouring, this.model);
   }
-}
-
-/** What stands beside the colours of rigid clusters. */
-function clusterWords({rigidClusters, colouredClusters}) {
-  return [`${colouredClusters} of ${units(rigidClusters, 'rigid cluster')}`, 'grey: smaller, or flexible'];
 }
 
 /** A table of keys for the help. */

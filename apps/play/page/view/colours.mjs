@@ -23,6 +23,10 @@ const CIVIDIS = ['#00224e', '#2a3f6d', '#575d6d', '#7d7c78', '#a59c74', '#d2c060
 // Van der Waals radii in Angstrom (Bondi 1964; H: Rowland & Taylor 1996); 0 is a joint of no element.
 const RADII = {0: 1.5, 1: 1.1, 6: 1.7, 7: 1.55, 8: 1.52, 9: 1.47, 15: 1.8, 16: 1.8, 17: 1.75};
 
+/** Of a contact: slack, between, at its limit. */
+export const TAUTNESS = ['#4393c3', '#f0b400', '#b2182b'].map(hex);
+const QUIET = hex('#aeb6be');
+
 export const elementColour = (number) => hex(ELEMENTS[number] ?? OTHER);
 export const vanDerWaals = (number) => RADII[number] ?? 1.8;
 
@@ -110,6 +114,7 @@ export const COLOURINGS = [
   {name: 'chain', title: 'Chain', of: byChain},
   {name: 'sequence', title: 'Place in the chain', of: bySequence},
   {name: 'residual', title: 'Residual of its bars', of: byResidual, live: true},
+  {name: 'contacts', title: 'Strain of contacts', of: () => () => QUIET},
   {name: 'mobility', title: 'Mobility (RMSF so far)', of: byMobility, live: true},
 ];
 

@@ -19,6 +19,7 @@ export class Members {
   open(model, runs, textures) {
     this.model = model;
     this.centre = -1;
+    this.firstContact = Infinity;
     this.seen = '';
     const inRibbon = new Set(runs.flat().map((joint) => model.residue[joint]));
     const hasSugar = new Set();
@@ -49,7 +50,7 @@ export class Members {
   /** Looks again where something else is under the pointer, marked or held. */
   choose(textures, centre, bar) {
     if (centre >= 0) this.centre = centre;
-    const now = [this.centre, bar, textures.marks.version, textures.stickCount].join();
+    const now = [this.centre, bar, this.firstContact, textures.marks.version, textures.stickCount].join();
     if (now === this.seen) return;
     this.seen = now;
     const isShown = this.shown(textures);
@@ -57,7 +58,7 @@ export class Members {
     const joints = [], sticks = [];
     for (let joint = 0; joint < isShown.length; ++joint) if (isShown[joint]) joints.push(joint);
     for (let k = 0; k < textures.stickCount; ++k)
-      if (k === bar || isShown[ends[4 * k]] && isShown[ends[4 * k + 1]]) sticks.push(k);
+      if (k === bar || k >= this.firstContact || isShown[ends[4 * k]] && isShown[ends[4 * k + 1]]) sticks.push(k);
     this.put(this.joints, joints);
     this.put(this.sticks, sticks);
   }

@@ -2,43 +2,26 @@
 // The picture: balls in one draw call, sticks in another, of any number of walkers.
 import {
   BoxGeometry, ColorManagement, GLSL3, InstancedBufferGeometry, LinearSRGBColorSpace, Mesh,
-  PlaneGeometry, RawShaderMaterial, Scene, Vector2, Vector3, Vector4, WebGLRenderTarget, WebGLRenderer,
+  PlaneGeometry, RawShaderMaterial, Scene, WebGLRenderTarget, WebGLRenderer,
 } from 'three';
 import {Arrow} from './arrow.mjs';
 import {Orbit} from './camera.mjs';
+import {DepthLook} from './depth_look.mjs';
 import {Members} from './members.mjs';
 import {Quality, isSoftware} from './quality.mjs';
 import {Ribbon} from './ribbon.mjs';
 import {STYLES} from './styles.mjs';
-import {Textures, WIDTH} from './textures.mjs';
+import {Textures} from './textures.mjs';
 import {
   ballFragment, ballVertex, stickFragment, stickVertex, traceVertex,
 } from './shaders.mjs';
+import {rgb, uniformsOf} from './uniforms.mjs';
 
 ColorManagement.enabled = false;  // the shaders write the colours of the screen
 
 const NO_PART = {members: {value: null}, memberCount: {value: 0}};  // all are drawn
-const rgb = (text) => new Vector3(...[1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255));
 
 export {STYLES};
-
-export const COLOURS = {
-  hoverColour: '#ffd23f', nearColour: '#56b4e9', farColour: '#e69f00', pinColour: '#222831',
-  waveColour: '#56b4e9', longColour: '#e0201b', shortColour: '#c2185b', plainColour: '#9aa3ad',
-  litColour: '#ffd23f',
-};
-
-function uniformsOf() {
-  const values = {
-    positions: null, look: null, marks: null, bars: null, controls: null, strain: null,
-    width: WIDTH, joints: 1, firstWalker: 0, barCount: 1, pieceCount: 1, ballScale: 0.24, unit: 1,
-    stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0, rich: 1,
-    kindRadius: new Vector4(1, 0, 0.45, 0), lit: new Vector3(-1, -1, -1),
-    background: new Vector3(1, 1, 1), fog: new Vector2(10, 100),
-  };
-  for (const [name, text] of Object.entries(COLOURS)) values[name] = rgb(text);
-  return Object.fromEntries(Object.entries(values).map(([name, value]) => [name, {value}]));
-}
 
 function instanced(geometry) {
   const made = new InstancedBufferGeometry();
@@ -74,6 +57,7 @@ export class View {
     this.trace = layer(box, this.uniforms, traceVertex, stickFragment, false);
     this.arrow = new Arrow();
     this.overlays = [];  // drawn over the picture: {draw(renderer, camera)}
+    this.depthLook = new DepthLook(this.uniforms, this.isSmooth ? 4 : 0);
     this.scene.add(this.ribbon.mesh, this.balls, this.sticks, this.trace);
     this.patch = new WebGLRenderTarget(1, 1);
     this.walkers = this.detail = this.ratio = 1;
@@ -123,10 +107,11 @@ export class View {
     this.walkers = walkers;
     this.second = {};  // values of uniforms that the right of two panes has in place of the left's
     const {textures, uniforms} = this;
-    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls'])
+    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls', 'limits'])
       uniforms[name].value = textures[name];
     uniforms.joints.value = this.model.joints;
     uniforms.barCount.value = Math.max(1, textures.stickCount);
+    uniforms.firstContact.value = textures.firstContact;
     uniforms.pieceCount.value = Math.max(1, textures.pieceCount);
     this.stale = true;
   }
@@ -150,6 +135,12 @@ export class View {
     uniforms.traceRadius.value = style.trace;
     uniforms.kindRadius.value.set(1, this.showAllBars ? 0.35 : 0, this.showContacts ? 0.5 : 0, 0);
     this.stale = true;
+  }
+
+  /** Contacts in the colour of how near they are to a limit, also those that a cartoon leaves out. */
+  showTautness(isOn) {
+    this.uniforms.byTautness.value = Number(isOn);
+    this.members.firstContact = isOn ? this.textures.firstContact : Infinity;
   }
 
   setBackground(text) {
@@ -218,10 +209,20 @@ export class View {
     if (this.split) return this.drawSplit();
     this.uniforms.firstWalker.value = 0;
     this.count(this.walkers);
-    this.renderer.render(this.scene, this.orbit.camera);
+    this.render();
     for (const overlay of this.overlays) overlay.draw(this.renderer, this.orbit.camera);
     this.holders?.draw(this);
     return this.arrow.draw(this.renderer, this.orbit.camera);
+  }
+
+  /** With outlines and shadows, where there is time for them; a surface is nothing without. */
+  render() {
+    const {renderer, scene, uniforms} = this;
+    const {camera} = this.orbit;
+    const isSurface = Boolean(STYLES[this.style].isSurface);
+    if (!isSurface && !uniforms.rich.value) return renderer.render(scene, camera);
+    this.depthLook.draw(renderer, scene, camera, {isSurface, ratio: renderer.getPixelRatio()});
+    return undefined;
   }
 
   /** Two walkers beside each other under one camera. */

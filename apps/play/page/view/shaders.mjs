@@ -35,8 +35,10 @@ uniform vec3 background;
 uniform vec2 fog;        // distances from the eye at which it begins and ends
 uniform float picking;   // 1: write numbers, not colours
 uniform float rich;      // 1: with a glint
+uniform float unlit;     // 1: the colour alone; the light comes later
 layout(location = 0) out vec4 pixel;
 vec3 shade(vec3 colour, vec3 hit, vec3 normal) {
+  if (unlit > .5) return colour;
   vec3 eye = normalize(-hit);
   float facing = max(dot(normal, eye), 0.);
   float light = .38 + .62 * pow(max(dot(normal, normalize(vec3(-.35, .55, .8))) * .5 + .5, 0.), 1.4);
@@ -131,11 +133,18 @@ void box() {
 export const stickVertex = shared + capsuleVertex + /* glsl */`
 uniform isampler2D bars;               // joint, joint, kind; of a contact 0xrrggbb
 uniform highp sampler2D strain;        // relative deviation of a bar
-uniform int barCount;
+uniform highp sampler2D limits;        // of a contact: least, at the start, most
+uniform int barCount, firstContact;
+uniform float byTautness;              // 1: contacts in the colour of how near they are to a limit
 uniform float stickRadius, residualScale, litBar;
 uniform vec4 kindRadius;               // of bonds, other bars, contacts, all in shares of stickRadius
 uniform vec3 longColour, shortColour, plainColour, litColour;
 uniform float splitColours;            // 1: each half takes the colour of its joint
+vec3 tautness(vec3 l, float now) {     // TAUTNESS of colours.mjs
+  float t = clamp(now > l.y ? (now - l.y) / max(l.z - l.y, 1e-3) : l.x > 0. ? (l.y - now) / max(l.y - l.x, 1e-3) : 0., 0., 1.);
+  vec3 between = vec3(.94, .706, 0.);
+  return t < .5 ? mix(vec3(.263, .576, .765), between, 2. * t) : mix(between, vec3(.698, .094, .169), 2. * t - 1.);
+}
 float shownStrain(float s) {           // 0 at 1e-4 of the length, 1 at a tenth of it
   return clamp((log(abs(s) * residualScale + 1e-9) / log(10.) + 4.) / 3., 0., 1.);
 }
@@ -155,6 +164,10 @@ void main() {
   colourFrom = mix(plainColour, texelFetch(look, texel(b.x), 0).rgb, splitColours);
   colourTo = mix(plainColour, texelFetch(look, texel(b.y), 0).rgb, splitColours);
   if (b.z == 2) colourFrom = colourTo = vec3(b.w >> 16 & 255, b.w >> 8 & 255, b.w & 255) / 255.;
+  if (b.z == 2 && byTautness > .5) {
+    colourFrom = colourTo = tautness(texelFetch(limits, texel(bar - firstContact), 0).xyz, distance(from, to));
+    radius *= 1.6;
+  }
   if (walker > 0) { colourFrom = mix(colourFrom, vec3(.5), .35); colourTo = mix(colourTo, vec3(.5), .35); }
   vec3 broken = s > 0. ? longColour : shortColour;
   colourFrom = mix(colourFrom, broken, t);

@@ -10,6 +10,7 @@ export const STYLES = {
   sticks: {title: 'Sticks', ball: 0, stick: 0.17, trace: 0},
   lines: {title: 'Lines', ball: 0, stick: 0.05, trace: 0},
   spheres: {title: 'Spheres', ball: 1, stick: 0, trace: 0},
+  surface: {title: 'Surface', ball: 1.2, stick: 0, trace: 0, isSurface: true},
   trace: {title: 'Trace', ball: 0, stick: 0.0, trace: 0.55},
   'trace-lines': {title: 'Trace and lines', ball: 0, stick: 0.06, trace: 0.4},
 };

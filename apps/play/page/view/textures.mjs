@@ -76,6 +76,9 @@ export class Textures {
     this.strain = texture(Float32Array, sticks.length, 1, RedFormat, FloatType, 'R32F');
     this.bars = numbers(sticks.length);
     this.controls = numbers(pieces.length);
+    this.firstContact = sticks.length - model.contacts.length / 2;
+    this.limits = floats(model.contacts.length / 2);
+    (model.contactLimits ?? []).forEach((length, k) => { this.limits.image.data[4 * Math.floor(k / 3) + k % 3] = length; });
     fill(this.bars, sticks);
     fill(this.controls, pieces);
   }
@@ -97,6 +100,6 @@ export class Textures {
   }
 
   dispose() {
-    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls']) this[name].dispose();
+    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls', 'limits']) this[name].dispose();
   }
 }
