@@ -81,6 +81,8 @@ class Seen:
         self.frames += 1
         self.first_step = frame.step if self.first_step is None else self.first_step
         self.last_step = frame.step
+        if energies.get("temperature"):  # a run with energies of its own, which tell of no bars
+            return
         self.worst_residual = max(self.worst_residual, energies.get("total_energy", 0.0))
         self.mean_sweeps += (energies.get("bonds_energy", 0.0) - self.mean_sweeps) / self.frames
         self.frames_dropped = int(energies.get("improper_dihedrals_energy", 0.0))
