@@ -71,6 +71,7 @@ class Bridge:
         self.pulls: dict[
             ServerConnection, dict[int, np.ndarray]
         ] = {}  #: of each page that is there
+        self.told: dict[ServerConnection, list[list[float]]] = {}  #: pulls of others, to each
         self.sending: set[asyncio.Task[None]] = set()
         self.has_come = asyncio.Event()
 
@@ -140,6 +141,7 @@ class Bridge:
     async def _leave(self, page: ServerConnection) -> None:
         """What nobody holds any more is pulled no more."""
         pulled = self.pulls.pop(page, None)
+        self.told.pop(page, None)
         if pulled:
             await self._share()
 
@@ -150,6 +152,9 @@ class Bridge:
         for page in list(self.pulls):
             others = _summed(one for other, one in self.pulls.items() if other is not page)
             rows = [[atom, *force.tolist()] for atom, force in others.items()]
+            if rows == self.told.get(page, []):
+                continue
+            self.told[page] = rows
             with suppress(ConnectionClosed):
                 await page.send(json.dumps({"pulls": rows}))
 
