@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "commands/continue_sample.hpp"
+#include "commands/show_sample.hpp"
 #include "external.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
@@ -39,6 +40,7 @@ H5mdHeader header_of(const SampleSettings& settings, const PlannedSample& planne
 /// Asked of both outputs before the first is made, so that none is left behind alone.
 void check_outputs(const SampleSettings& settings) {
   refuse_same_files(inputs_of(settings), {settings.output});
+  check_show(settings);
   if (!is_sdf_name(settings.output)) check_trajectory_name(settings.output);
   check_record_options(settings.output, settings.save, settings.record);
   std::vector<std::string> outputs{settings.output};
@@ -120,6 +122,7 @@ int command_sample(const Arguments& arguments) {
   line.set_footer(
       "Examples:\n"
       "  pliant sample protein.pdb -o ensemble.h5md\n"
+      "  pliant sample protein.pdb --show                    on a page, moving\n"
       "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
       "  pliant sample protein.pdb --amplitude nmr_models.pdb\n"
       "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
@@ -154,7 +157,7 @@ int command_sample(const Arguments& arguments) {
   const SampleSummary summary = sample_to_file(settings, planned);
   warn_of_amplitude(summary, messages.log());
   print_sample(settings, system_of(planned), summary, messages.warnings());
-  return exit_code_of(summary);
+  return shown(settings, exit_code_of(summary));
 }
 
 }  // namespace pliant::app

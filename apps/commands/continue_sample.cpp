@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "commands/show_sample.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "options/option_comparison.hpp"
@@ -114,7 +115,7 @@ int continue_sample(const CommandLine& line, SampleSettings& settings) {
   if (std::string left_out = recorded_text(from, "model/left_out"); !left_out.empty())
     system.left_out.push_back(std::move(left_out));
   print_sample(settings, system, summary, messages.warnings());
-  return exit_code_of(summary);
+  return shown(settings, exit_code_of(summary));
 }
 
 }  // namespace pliant::app

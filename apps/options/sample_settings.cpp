@@ -69,6 +69,8 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
   add_saving_options(line, settings.save, settings.record);
+  line.add_flag("--show", settings.show,
+                "then open the frames on a page in the browser: pliant play OUTPUT");
   line.add_flag("--dry-run", settings.dry_run,
                 "read the input, check all options, and write nothing");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");

@@ -26,6 +26,7 @@ struct SampleSettings {
   std::string go_on;     ///< trajectory whose sample is continued; "": a new one
   std::string output;    ///< "": the input's name with .h5md, in the current folder
   std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none
+  bool show = false;     ///< on the page of `pliant play`, once they are there
   bool dry_run = false;
   bool json = false;
   bool quiet = false;

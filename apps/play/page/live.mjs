@@ -2,12 +2,12 @@
 // A run that goes on elsewhere, of `pliant play --connect`: its frames are shown, drags pull on it.
 // The page asks for a frame once it has drawn the last, and is given the newest one.
 import {Gain} from './gain.mjs';
+import {OtherPulls} from './other_pulls.mjs';
 import {$, say} from './panel/dom.mjs';
 
 const NUMBERS = 6;  // 64-bit floats before the positions: see python/pliant/play/bridge.py
 const SILENT = 2000;  // ms without a frame after which the page says so
 const PACE = 0.1;  // share of the newest in frames and steps a second
-const CLOSED = {4000: 'Another page shows the run now.'};
 
 /** Step, time, residual and so on, and positions in Angstrom, of a message of the bridge. */
 function unpacked(data) {
@@ -17,7 +17,7 @@ function unpacked(data) {
 }
 
 export class Live {
-  constructor({session, stage, hand, look}) {
+  constructor({session, stage, hand, look, view}) {
     Object.assign(this, {session, stage, hand});
     look.allow('residual', false);  // a run tells of its worst bar alone
     this.state = {text: 'Connecting', kind: ''};
@@ -27,6 +27,7 @@ export class Live {
     this.rates = {frames: 0, steps: 0};
     this.waiting = [];
     this.isPulling = false;
+    this.others = new OtherPulls(session, view, hand);
     session.on('released', () => this.release());
   }
 
@@ -37,7 +38,7 @@ export class Live {
     this.socket = new WebSocket(address);
     this.socket.binaryType = 'arraybuffer';
     this.socket.onmessage = ({data}) => this.take(data);
-    this.socket.onclose = ({code, reason}) => this.stop(CLOSED[code] ??
+    this.socket.onclose = ({reason}) => this.stop(
       `The connection to pliant play is lost${reason ? `: ${reason}` : ''}.`);
     return this.next();
   }
@@ -62,7 +63,10 @@ export class Live {
   }
 
   take(data) {
-    if (typeof data === 'string') return this.end(JSON.parse(data));
+    if (typeof data === 'string') {
+      const said = JSON.parse(data);
+      return said.pulls ? this.others.show(said.pulls) : this.end(said);
+    }
     this.isAsked = false;
     const frame = unpacked(data);
     if (frame.positions.length !== this.session.positions.length)
@@ -98,6 +102,7 @@ export class Live {
     if (this.isOver) return;
     this.isOver = true;
     this.hand.release();
+    this.others.show([]);
     this.hand.isReplay = true;
     for (const done of this.waiting.splice(0)) done();
     this.tell(hasEnded ? 'The run has ended' : 'Connection lost', hasEnded ? '' : 'bad');

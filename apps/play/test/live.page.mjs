@@ -103,13 +103,19 @@ test('a run that stands still is waited for', async () => {
   await says('Live');
 });
 
-test('another page takes over, and the first one says so', async () => {
+test('a second page joins, and each sees what the other pulls with', async () => {
   const second = await openPage({address: await play.found, viewport: {width: 640, height: 420}});
-  await page.waitForFunction(() => P.session.live.isOver);
-  assert.equal(await page.textContent('#message-text'), 'Another page shows the run now.');
-  await page.context().close();
-  page = second;
-  await page.waitForFunction(() => P.session.live.rates.frames > 0);
+  await second.waitForFunction(() => P.session.live.rates.frames > 0);
+  assert.equal(await page.evaluate(() => Boolean(P.session.live.isOver)), false);
+  await second.evaluate(() => P.session.live.pull([[7, 0, 0, 1]]));
+  await page.waitForFunction(() => P.session.live.others.rows.length === 1);
+  assert.deepEqual(await page.evaluate(() => P.session.live.others.rows), [[7, 0, 0, 1]]);
+  assert.ok(await page.evaluate(() => P.session.live.others.arrows[0].group.visible));
+  assert.match(await page.textContent('#said'), /^Someone else pulls on .+/);
+  assert.equal(await second.evaluate(() => P.session.live.others.rows.length), 0);
+  if (process.env.PLIANT_PICTURES) await page.screenshot({path: join(process.env.PLIANT_PICTURES, 'live-two.png')});
+  await second.context().close();
+  await page.waitForFunction(() => P.session.live.others.rows.length === 0);
 });
 
 test('the end of the run is told, and what was pulled is kept', async () => {

@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -81,6 +81,9 @@ class Seen:
         self.frames += 1
         self.first_step = frame.step if self.first_step is None else self.first_step
         self.last_step = frame.step
+        if energies.get("temperature"):  # a run with energies of its own, which tell of no bars
+            self.seconds = time.perf_counter() - self._begun
+            return
         self.worst_residual = max(self.worst_residual, energies.get("total_energy", 0.0))
         self.mean_sweeps += (energies.get("bonds_energy", 0.0) - self.mean_sweeps) / self.frames
         self.frames_dropped = int(energies.get("improper_dihedrals_energy", 0.0))
@@ -89,6 +92,14 @@ class Seen:
     def facts(self) -> dict[str, float | int | None]:
         """As they are printed as JSON."""
         return {name: value for name, value in vars(self).items() if not name.startswith("_")}
+
+
+def _energies_told(energies: Mapping[str, float]) -> str:
+    """Of Pliant's run, how well its bars are restored; of others, what their energies are."""
+    if temperature := energies.get("temperature"):
+        return f"{temperature:.0f} K, {energies.get('potential_energy', 0.0):.4g} potential energy"
+    residual, sweeps = (energies.get(f"{name}_energy", 0.0) for name in ("total", "bonds"))
+    return f"residual {residual:.2e}, {sweeps:.0f} sweeps"
 
 
 class _Screen:
@@ -104,11 +115,7 @@ class _Screen:
             return
         rate = (seen.frames - self._frames) / (now - self._last)
         self._last, self._frames = now, seen.frames
-        energies = frame.energies or {}
-        residual, sweeps = (energies.get(f"{name}_energy", 0.0) for name in ("total", "bonds"))
-        text = (
-            f"step {frame.step}, {rate:.0f} frames/s, residual {residual:.2e}, {sweeps:.0f} sweeps"
-        )
+        text = f"step {frame.step}, {rate:.0f} frames/s, {_energies_told(frame.energies or {})}"
         end = "\x1b[K" if is_terminal else "\n"
         print(("\r" if is_terminal else "") + text, end=end, file=sys.stderr, flush=True)
 

@@ -8,7 +8,7 @@ import http
 import json
 import math
 import socket
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Iterable
 from contextlib import suppress
 from typing import Any
 
@@ -25,7 +25,8 @@ from pliant.play.upstream import Upstream
 
 HOST = "127.0.0.1"
 MOST_BYTES = 1 << 16  #: of a message of the page
-TAKEN_OVER, REFUSED = 4000, 1008  #: codes with which a WebSocket is closed
+REFUSED = 1008  #: code with which a WebSocket is closed
+MOST_PAGES = 16  #: at once
 OPENING = 5.0  #: seconds after the end of a run in which the first page may still come
 LAST_WORD = 5.0  #: seconds that a page may take to hear of the end
 
@@ -34,8 +35,13 @@ FIELDS = ("total_energy", "potential_energy", "bonds_energy", "coulomb_energy")
 
 
 def packed(frame: ImdFrame) -> bytes:
-    """Step, time and FIELDS as 64-bit floats, positions (N, 3) as 32-bit ones, little endian."""
+    """Step, time and FIELDS as 64-bit floats, positions (N, 3) as 32-bit ones, little endian.
+
+    A run with a temperature is one of GROMACS or NAMD, whose energies tell of no bars.
+    """
     energies = frame.energies or {}
+    if energies.get("temperature"):
+        energies = {}
     first = [math.nan if value is None else value for value in (frame.step, frame.time)]
     numbers = first + [energies.get(name, math.nan) for name in FIELDS]
     return np.array(numbers, "<f8").tobytes() + np.asarray(frame.positions, "<f4").tobytes()
@@ -44,8 +50,9 @@ def packed(frame: ImdFrame) -> bytes:
 class Bridge:
     """Serves a page at one address, and gives it the frames of a run at another.
 
-    Both begin with a path that cannot be guessed. One page at a time is given frames: the last one
-    that came. It asks for each; it then gets the newest there is.
+    Both begin with a path that cannot be guessed. A page asks for each frame; it then gets the
+    newest there is. Several pages may follow at once: what they pull with adds up, and each is told
+    what the others pull with.
 
     Parameters
     ----------
@@ -61,7 +68,10 @@ class Bridge:
         self.host = f"{HOST}:{self.listener.getsockname()[1]}"
         self.path = secret_path()
         self.page = make_page(f"ws://{self.host}{self.path}live")
-        self.talked: ServerConnection | None = None
+        self.pulls: dict[
+            ServerConnection, dict[int, np.ndarray]
+        ] = {}  #: of each page that is there
+        self.told: dict[ServerConnection, list[list[float]]] = {}  #: pulls of others, to each
         self.sending: set[asyncio.Task[None]] = set()
         self.has_come = asyncio.Event()
 
@@ -107,16 +117,18 @@ class Bridge:
         return None
 
     async def _talk(self, page: ServerConnection) -> None:
-        """To one page, until it goes or another comes."""
-        before, self.talked = self.talked, page
-        closing = before and asyncio.create_task(before.close(TAKEN_OVER, "taken over"))
+        """To one page, until it goes."""
+        if len(self.pulls) >= MOST_PAGES:
+            await page.close(REFUSED, f"{MOST_PAGES} pages follow already")
+            return
+        self.pulls[page] = {}
         asked = asyncio.Event()
         sending = asyncio.create_task(self._send(page, asked))
         self.sending.add(sending)
         self.has_come.set()
         try:
             async for message in page:
-                await self._take(message, asked)
+                await self._take(page, message, asked)
         except ConnectionClosed:
             pass
         except (InputError, OptionError) as error:
@@ -125,14 +137,26 @@ class Bridge:
             sending.cancel()
             self.sending.discard(sending)
             await self._leave(page)
-            if closing:
-                await closing
 
     async def _leave(self, page: ServerConnection) -> None:
         """What nobody holds any more is pulled no more."""
-        if self.talked is page:
-            self.talked = None
-            await self.upstream.release()
+        pulled = self.pulls.pop(page, None)
+        self.told.pop(page, None)
+        if pulled:
+            await self._share()
+
+    async def _share(self) -> None:
+        """The run is pulled by all pages together, and each is told what the others pull with."""
+        total = _summed(self.pulls.values())
+        await self.upstream.pull(list(total), list(total.values()) or np.empty((0, 3)))
+        for page in list(self.pulls):
+            others = _summed(one for other, one in self.pulls.items() if other is not page)
+            rows = [[atom, *force.tolist()] for atom, force in others.items()]
+            if rows == self.told.get(page, []):
+                continue
+            self.told[page] = rows
+            with suppress(ConnectionClosed):
+                await page.send(json.dumps({"pulls": rows}))
 
     async def _send(self, page: ServerConnection, asked: asyncio.Event) -> None:
         """A frame each time that one was asked for; at the end the last, and why no more come.
@@ -156,14 +180,18 @@ class Bridge:
             seen = newest[0]
             await page.send(packed(newest[1]))
 
-    async def _take(self, message: str | bytes, asked: asyncio.Event) -> None:
+    async def _take(
+        self, page: ServerConnection, message: str | bytes, asked: asyncio.Event
+    ) -> None:
         """Raises InputError or OptionError for what no page of ours says."""
         said = _said(message)
         if said.get("do") == "next":
             asked.set()
         elif said.get("do") == "pull":
             atoms, forces = _forces(said.get("forces"), self.upstream.atoms)
-            await self.upstream.pull(atoms, forces)
+            expect_once(atoms)
+            self.pulls[page] = dict(zip(atoms.tolist(), forces, strict=True))
+            await self._share()
         else:
             raise InputError("expected next or pull")
 
@@ -195,6 +223,21 @@ def _forces(rows: Any, atoms: int) -> tuple[np.ndarray, np.ndarray]:
         raise InputError("expected forces as rows of atom, x, y, z")
     table = np.array(rows, float).reshape(-1, 4)
     return table[:, 0].astype(int), table[:, 1:]
+
+
+def expect_once(atoms: np.ndarray) -> None:
+    """Raises InputError where a page pulls one atom twice."""
+    if len(np.unique(atoms)) < len(atoms):
+        raise InputError("expected each atom once")
+
+
+def _summed(pulls: Iterable[dict[int, np.ndarray]]) -> dict[int, np.ndarray]:
+    """The force on each atom that is pulled."""
+    total: dict[int, np.ndarray] = {}
+    for one in pulls:
+        for atom, force in one.items():
+            total[atom] = total[atom] + force if atom in total else force
+    return total
 
 
 def _is_force(row: list[Any], atoms: int) -> bool:

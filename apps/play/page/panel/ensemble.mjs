@@ -155,6 +155,7 @@ export class Ensemble {
     const number = this.numberOf(of.at);
     await this.asOwn(() => openFrame(session, `${stemOf(of.name)}_frame_${number}.cif`, of.file, positions));
     this.domains.colour(of.found);
+    if (this.view.style === 'trace') this.look.setStyle('trace-lines');  // of a trace alone no atom can be met
     const held = stage.model.contacts.length ? ' with the contacts that this frame has' : '';
     $('ensemble-drag-note').textContent = `From frame ${number}, held by the model ${stage.model.model}${held}: drag any atom.`;
   }

@@ -5,8 +5,8 @@ import {ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Scene, V
 const UP = new Vector3(0, 1, 0);
 
 export class Arrow {
-  constructor() {
-    const material = new MeshBasicMaterial({color: '#f28c00', depthTest: false, depthWrite: false});
+  constructor(colour = '#f28c00') {
+    const material = new MeshBasicMaterial({color: colour, depthTest: false, depthWrite: false});
     this.shaft = new Mesh(new CylinderGeometry(1, 1, 1, 12).translate(0, 0.5, 0), material);
     this.head = new Mesh(new ConeGeometry(1, 1, 16).translate(0, 0.5, 0), material);
     this.group = new Group();
