@@ -11,8 +11,7 @@ describe('why', () => {
 let page;
 before(async () => { page = await sharedPage(); });
 
-const FAR = [-150, -150];  // CSS pixels
-const HELD = 'LYS7:NZ';  // of peptide_20
+const HELD = 'LEU8:CG';  // of peptide_20; a hydrogen bond of its residue holds it
 
 async function open(file, model = 'auto') {
   const data = readFileSync(join(root, 'data', 'molecules', file)).toString('base64');
@@ -24,16 +23,22 @@ async function open(file, model = 'auto') {
 
 const jointOf = (name) => page.evaluate((end) => P.session.model.names.findIndex((label) => label.endsWith(end)), name);
 
-/** Pulls a joint by the hand until the box says why it is held; the joint is let go. */
-async function pullUntilHeld(joint, [dx, dy] = FAR) {
-  await page.evaluate(([j, x, y]) => {
-    const {hand, view} = P;
-    const at = view.orbit.project(hand.positionOf(j));
-    hand.grasp(j, at);
-    hand.drag({x: at.x + x, y: at.y + y});
-  }, [joint, dx, dy]);
+/** Pulls a joint by the hand, away from the middle, until the box says why it is held; the joint is let
+ * go. Returns where it was to go. */
+async function pullUntilHeld(joint) {
+  const target = await page.evaluate((j) => {
+    const {hand, view, session: {positions: x}} = P;
+    const middle = [0, 1, 2].map((c) => x.reduce((sum, value, k) => sum + (k % 3 === c ? value : 0), 0) / (x.length / 3));
+    const at = hand.positionOf(j);
+    const way = at.map((value, c) => value - middle[c]);
+    hand.grasp(j, view.orbit.project(at));
+    hand.held.target = at.map((value, c) => value + 20 * way[c] / Math.hypot(...way));
+    hand.held.hasMoved = true;
+    return hand.held.target;
+  }, joint);
   await page.waitForSelector('#why:not([hidden])');
   await release();
+  return target;
 }
 
 async function release() {
@@ -83,7 +88,7 @@ test('a pinned joint says so, and its pin can be taken out', async () => {
 test('what holds is named beside the molecule, and its cut lets the joint get further', async () => {
   await open('peptide_20.pdb');
   const joint = await jointOf(HELD);
-  await pullUntilHeld(joint);
+  const target = await pullUntilHeld(joint);
   const {lines, said, frees} = await page.evaluate(() => P.why.found);
   assert.ok(lines.length > 0, said);
   assert.match(said, / is (part of|at the end|held by)/);
@@ -98,11 +103,6 @@ test('what holds is named beside the molecule, and its cut lets the joint get fu
   assert.equal(covered, 0, `the box covers ${covered} joints`);
   const cuts = lines.filter(({cut}) => cut);
   assert.ok(cuts.length > 0 && frees, said);
-  const target = await page.evaluate((j) => {
-    const {view, hand} = P;
-    const at = view.orbit.project(hand.positionOf(j));
-    return view.orbit.unproject(at.x - 150, at.y - 150, at.depth);
-  }, joint);
   const held = await wayIn(joint, target, 24);
   const count = await contacts();
   await page.focus('#canvas');
