@@ -2,6 +2,7 @@
 #include "why_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pair_words.hpp"
 #include "pliant/base/number.hpp"
@@ -38,15 +39,17 @@ std::string capital(std::string text) {
   return text;
 }
 
-/// Angstrom with one digit: trial steps tell no more.
+/// Angstrom with two digits: trial steps tell no more.
 std::string length_text(double length) {
-  return number_text(0.1 * double(long(10.0 * length + 0.5)), 4) + " Å";
+  return number_text(0.01 * double(long(100.0 * length + 0.5)), 4) + " Å";
 }
 
 }  // namespace
 
 std::vector<HolderLine> HeldWords::lines() const {
   std::vector<HolderLine> all;
+  if (held.is_pinned)
+    all.push_back({"pin of " + start.atoms.label(joint), "pin", joint, joint, 1.0, false});
   for (const Holder& holder : held.holders) {
     const std::string a = start.atoms.label(holder.a), b = start.atoms.label(holder.b);
     if (holder.kind == Holder::Kind::pin) {
@@ -62,10 +65,11 @@ std::vector<HolderLine> HeldWords::lines() const {
 }
 
 /// "3 hydrogen bonds, 1 hydrophobic contact and a pin".
-std::string HeldWords::carried() const {
+std::string HeldWords::carried(Which which) const {
   std::vector<std::string> kinds;
   std::vector<std::size_t> counts;
   for (const HolderLine& line : lines()) {
+    if (which != Which::all && (line.what == "touch") != (which == Which::lasting)) continue;
     const auto at = std::ranges::find(kinds, line.what);
     if (at == kinds.end()) {
       kinds.push_back(line.what);
@@ -86,8 +90,8 @@ std::string HeldWords::carried() const {
 
 std::string HeldWords::own_shape() const {
   if (held.taut)
-    return "at the end of its reach: taut from " + start.atoms.label(held.taut->joints.back()) + " to " +
-           start.atoms.label(held.taut->joints.front());
+    return "at the end of its reach: taut from " + start.atoms.label(held.taut->joints.back()) +
+           " to " + start.atoms.label(held.taut->joints.front());
   return "";
 }
 
@@ -99,15 +103,19 @@ std::string HeldWords::cluster() const {
          counted(found.sizes[found.of_body[joint]], "atom", "atoms");
 }
 
+bool HeldWords::has_removable() const {
+  return std::ranges::any_of(held.holders,
+                             [](const Holder& one) { return one.kind != Holder::Kind::pressed; });
+}
+
+/// What was cut in the trial and brought nothing is not said to hold.
 std::string HeldWords::trial() const {
-  if (!held.is_tried || held.holders.empty()) return "";
-  const bool can_be_removed = std::ranges::any_of(
-      held.holders, [](const Holder& one) { return one.kind != Holder::Kind::pressed; });
-  if (!can_be_removed) return "";
+  if (!held.is_tried || !has_removable()) return "";
   if (held.frees())
-    return " Without what can be cut it gets " + length_text(held.without - held.as_it_is) +
-           " further.";
-  return " Cutting these alone does not free it.";
+    return " Without what can be cut it gets " + length_text(held.without) + " further, now " +
+           length_text(held.as_it_is) + ".";
+  return " Part of the pull goes through " + carried(Which::removable) +
+         ", but cutting that does not free it.";
 }
 
 std::string HeldWords::said() const {
@@ -115,15 +123,15 @@ std::string HeldWords::said() const {
   if (held.is_pinned) return name + " is pinned.";
   if (held.as_it_is > not_held)
     return name + " is not held: it gets on by " + length_text(held.as_it_is) + ".";
-  std::vector<std::string> parts;
-  if (const std::string shape = own_shape(); !shape.empty()) parts.push_back(shape);
-  if (const std::string rigid = cluster(); !rigid.empty()) parts.push_back(rigid);
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
-  const std::string by = carried();
+  std::string text = own_shape();
+  if (const std::string rigid = cluster(); !rigid.empty())
+    text += (text.empty() ? "" : "; ") + rigid;
+  const bool frees_nothing = held.is_tried && has_removable() && !held.frees();
+  const std::string by = carried(frees_nothing ? Which::lasting : Which::all);
   if (!by.empty()) text += (text.empty() ? "held by " : ", held by ") + by;
-  if (text.empty()) text = "held by its own bonds and angles";
-  return name + " is " + text + "." + trial();
+  if (!text.empty()) return name + " is " + text + "." + trial();
+  return name + " is held by its own bonds and angles: they drag the weight of " +
+         number_text(std::round(1.0 / std::max(held.yields, 1e-6)), 3) + " atoms along." + trial();
 }
 
 }  // namespace pliant::play

@@ -2,6 +2,7 @@
 // What holds a pull, in words.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,10 @@ struct HeldWords {
   std::string said() const;
 
  private:
-  std::string carried() const;
+  /// What carries the pull: all of it, what can be taken away, or what cannot.
+  enum class Which : std::uint8_t { all, removable, lasting };
+  std::string carried(Which which) const;
+  bool has_removable() const;
   std::string own_shape() const;
   std::string cluster() const;
   std::string trial() const;

@@ -113,29 +113,32 @@ class Asking {
     return trial;
   }
 
+  /// Adds what holds next as long as that brings the joint further, and it is not yet free.
   void try_removal(HeldPull& found) const {
     const auto as_it_is = tried(*walk_.branch());
     if (!as_it_is) return;
     found.as_it_is = *as_it_is;
+    std::vector<Holder> named = found.holders;
     for (int round = 0; round < options_.rounds; ++round) {
-      const std::unique_ptr<SteeredWalk> trial = without(found.holders);
+      const std::unique_ptr<SteeredWalk> trial = without(named);
       const auto way = tried(*trial);
-      found.is_tried = way.has_value();
-      if (!way) return;
+      if (!way || (round > 0 && *way < found.without + HeldPull::least_gain)) return;
+      found.is_tried = true;
       found.without = *way;
-      if (found.frees() || !add_next(*trial, found)) return;
+      found.holders = named;
+      if (*way > *as_it_is + options_.free_way || !add_next(*trial, named)) return;
     }
   }
 
   /// Adds what holds the trial where it is. Returns whether there was anything.
-  bool add_next(const SteeredWalk& trial, HeldPull& found) const {
+  bool add_next(const SteeredWalk& trial, std::vector<Holder>& named) const {
     bool has_more = false;
     const auto next = holders_of(trial.framework(), loads_of(trial), options_.least_load);
     for (Holder holder : next) {
-      if (holder.kind == HolderKind::pressed || is_among(found.holders, holder)) continue;
+      if (holder.kind == HolderKind::pressed || is_among(named, holder)) continue;
       if (holder.kind == HolderKind::limit) holder.limit = limit_at_start(holder);
       holder.is_next = has_more = true;
-      found.holders.push_back(holder);
+      named.push_back(holder);
     }
     return has_more;
   }

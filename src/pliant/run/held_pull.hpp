@@ -51,17 +51,19 @@ struct HeldPull {
   double as_it_is = 0.0;  ///< Angstrom that the joint still gets towards the target
   double without = 0.0;   ///< the same without all holders but the pressed pairs
   bool frees() const { return is_tried && without > as_it_is + least_gain; }
-  static constexpr double least_gain = 0.1;  ///< Angstrom
+  static constexpr double least_gain = 0.02;  ///< Angstrom
 };
 
 struct HeldOptions {
   int steps = 24;            ///< of each trial
   double least_load = 0.05;  ///< share of the pull from which something counts as a holder
   int rounds = 4;            ///< of trials in which holders may be added
+  double free_way = 0.5;     ///< Angstrom further than it gets as it is: free
 };
 
-/// Finds what holds a pull where `walk` is. What carries a share of it is cut in a trial; if the
-/// joint then gets no further, what holds it there is added. Throws as SteeredWalk::pull().
+/// Finds what holds a pull where `walk` is. What carries a share of it is cut in a trial; what
+/// holds the joint there is added, too, where it is not yet free and cutting more brings it
+/// further. Throws as SteeredWalk::pull().
 HeldPull why_held(const SteeredWalk& walk, const HandPull& pull, const HeldOptions& options = {});
 
 /// The cuts that take away the contacts among these.

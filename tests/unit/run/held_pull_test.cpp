@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "pliant/examples/examples.hpp"
 #include "pliant/run/taut_chain.hpp"
 #include "support/frameworks.hpp"
@@ -20,13 +22,16 @@ Framework tied(std::vector<Joint> pinned = {}) {
 
 const HandPull away{9, {30.0, 30.0, 0.0}};
 
-/// Steps of the hand, until it has come to rest.
-void pull(SteeredWalk& walk, const HandPull& hand, int steps) {
+/// Steps of the hand. Returns how near the joint came to the target.
+double pull(SteeredWalk& walk, const HandPull& hand, int steps) {
+  double least = 1e9;
   for (int k = 0; k < steps; ++k) {
     const JointForce force =
         force_of(hand, walk.framework(), walk.state(), walk.options().perturb_options);
     walk.pull({&force, 1});
+    least = std::min(least, distance(walk.state().positions[hand.joint], hand.target));
   }
+  return least;
 }
 
 TEST(HandPull, MovesAJointAShareOfTheWay) {
@@ -48,22 +53,22 @@ TEST(WhyHeld, NamesAContactThatFreesWhenItIsCut) {
   const std::vector<Vec3> before = walk.state().positions;
   const HeldPull found = why_held(walk, away);
   EXPECT_TRUE(test::same_bits(before, walk.state().positions)) << "asking moves nothing";
-  ASSERT_FALSE(found.holders.empty());
-  EXPECT_EQ(found.holders[0].kind, Holder::Kind::limit);
-  EXPECT_EQ(found.holders[0].limit, 0u);
+  ASSERT_EQ(found.holders.size(), 2u);
+  const Holder& contact = found.holders[found.holders[0].kind == Holder::Kind::pin ? 1 : 0];
+  EXPECT_EQ(contact.kind, Holder::Kind::limit);
+  EXPECT_EQ(contact.limit, 0u);
   EXPECT_TRUE(found.frees()) << found.as_it_is << " " << found.without;
+  const double held = pull(*walk.branch(), away, 20);
   walk.edit(cuts_of(found.holders));
-  const double there = norm(walk.state().positions[9]);
-  pull(walk, away, 20);
-  EXPECT_GT(norm(walk.state().positions[9]), there + 1.0);
+  EXPECT_LT(pull(walk, away, 20), held - 0.5);
 }
 
 TEST(WhyHeld, NamesPins) {
-  const Framework framework = framework_of(straight_chain(6));
-  SteeredWalk walk(framework, State(straight_chain(6).positions));
+  const Framework framework = framework_of(straight_chain(8));
+  SteeredWalk walk(framework, State(straight_chain(8).positions));
   walk.pin(std::vector<Joint>{1});
   walk.start();
-  const HandPull hand{5, {30.0, 0.0, 0.0}};
+  const HandPull hand{7, {30.0, 0.0, 0.0}};
   const HeldPull found = why_held(walk, hand);
   ASSERT_EQ(found.holders.size(), 1u);
   EXPECT_EQ(found.holders[0].kind, Holder::Kind::pin);
@@ -72,7 +77,7 @@ TEST(WhyHeld, NamesPins) {
   EXPECT_TRUE(found.frees());
   ASSERT_TRUE(found.taut);
   EXPECT_EQ(found.taut->joints.back(), 0u) << "the chain is straight to its very end";
-  walk.pin(std::vector<Joint>{5});
+  walk.pin(std::vector<Joint>{7});
   EXPECT_TRUE(why_held(walk, hand).is_pinned);
 }
 
@@ -83,7 +88,7 @@ TEST(WhyHeld, NamesNothingWhereAJointIsFree) {
   const HeldPull found = why_held(walk, {9, {0.0, 0.0, 9.0}});
   EXPECT_TRUE(found.holders.empty());
   EXPECT_FALSE(found.taut);
-  EXPECT_GT(found.yields, 0.9);
+  EXPECT_GT(found.yields, 0.85);
 }
 
 TEST(TautChain, IsAllTransWithItsAngles) {

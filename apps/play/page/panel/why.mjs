@@ -121,9 +121,11 @@ export class Why {
     this.view.stale = true;
   }
 
-  /** The corner of the picture in which it covers the fewest joints. */
+  /** In a corner of the picture where it covers no joint; where there is none, beside the picture. */
   place() {
     const box = $('why');
+    $('stage').append(box);
+    box.classList.remove('beside');
     const {width, height} = this.view.size;
     const [w, h] = [box.offsetWidth, box.offsetHeight];
     const below = $('readout').offsetHeight + 2 * GAP;
@@ -131,9 +133,22 @@ export class Why {
     const corners = [[GAP, top], [width - w - GAP, top], [GAP, height - h - below], [width - w - GAP, height - h - below]];
     const seen = this.projected();
     const covered = corners.map(([x, y]) => seen.filter((at) => at.x > x && at.x < x + w && at.y > y && at.y < y + h).length);
-    const best = corners[covered.indexOf(Math.min(...covered))];
+    const least = Math.min(...covered);
+    const best = corners[covered.indexOf(least)];
+    if (least > 0 && this.moveBeside(box)) return;
     box.style.left = `${Math.max(0, best[0])}px`;
     box.style.top = `${Math.max(0, best[1])}px`;
+  }
+
+  /** Where the panel is below the picture, between the two; false where it is hidden. */
+  moveBeside(box) {
+    const isNarrow = matchMedia('(max-width: 900px)').matches;
+    if (!isNarrow && document.body.classList.contains('wide')) return false;
+    if (isNarrow) $('stage').after(box);
+    else $('side').prepend(box);
+    box.classList.add('beside');
+    if (!isNarrow) $('side').scrollTop = 0;
+    return true;
   }
 
   projected() {

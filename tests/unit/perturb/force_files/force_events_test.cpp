@@ -102,7 +102,7 @@ TEST(ForceEvents, SayWhatIsWrongWithAnEdit) {
             "f.txt:2: bar: expected two joints and a length, found 2 fields");
   EXPECT_EQ(refusal("pliant-forces 3\nbar 0 1 -2\n"),
             "f.txt:2: bar: expected a length above 0, found \"-2\"");
-  EXPECT_EQ(refusal("pliant-forces 3\ncut 0 9\n"), "f.txt:2: joint: 9 of 6 does not exist");
+  EXPECT_EQ(refusal("pliant-forces 3\ncut 0 9\n"), "f.txt:2: joint: no joint is named \"9\"");
   EXPECT_EQ(refusal("pliant-forces 2\ncut 0 1\n"),
             "f.txt:2: expected set, pin, force, step or wander, found \"cut\"");
   EXPECT_EQ(refused_replay("pliant-forces 3\nstep\ncut 0 2\nstep\n"),
