@@ -127,7 +127,7 @@ test('an ordering file is a list, is shown bar by bar, and is what input visits'
   await page.fill('#order-at', '3');
   assert.match(await text('said'), /^visit 3: /);
   const bars = await page.evaluate(async () => {
-    const reply = await P.session.ask('resolution', {forces: [[1, 500, 300, 0]], pins: []});
+    const reply = await P.session.ask('resolution', {forces: [[2, 500, 300, 0]], pins: []});
     const {model} = P.session;
     return Array.from({length: 5}, (_, k) => [1, 2].map((end) => model.nameOf(reply.events[4 * k + end])).join(' '));
   });

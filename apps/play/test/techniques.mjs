@@ -88,7 +88,7 @@ for (const [name, open] of given.length ? documents(given) : [...documents(molec
   }
   if (!model.joints) continue;
   const rows = facts.techniques.map(({name: technique}) => technique);
-  const grey = rows.filter((row) => model.unfit[row]);
+  const grey = rows.filter((row) => model.unfit[row]?.refused || (model.unfit[row] && model.kind !== 'graph'));
   const refused = rows.filter((row) => model.unfit[row]?.refused);
   const tried = rows.filter((row) => !refused.includes(row) && (withAll || !grey.includes(row)));
   const bad = [];
