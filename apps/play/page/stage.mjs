@@ -46,7 +46,7 @@ export class Stage extends EventTarget {
     this.isReplay = false;
     this.frames.clear();
     this.history = [];
-    this.at = this.film = this.stop = null;
+    this.at = this.film = this.stop = this.last = null;
     this.strain = new Float32Array(model.bars.length / 2);
     this.fading = false;
     this.residuals = null;

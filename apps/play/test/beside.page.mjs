@@ -96,7 +96,7 @@ test('both films run together, visit by visit', async () => {
   const counts = await page.evaluate(() => P.resolution.films.map((film) => film.count));
   await page.evaluate((visit) => P.resolution.goTo(visit), Math.min(...counts));
   const firstOver = counts[0] <= counts[1] ? 'pane-left' : 'pane-right';
-  assert.match(await text(firstOver), /: whole after \d+ visits, first$/);
+  assert.match(await text(firstOver), /: whole after [\d,]+ visits, first$/);
   await page.evaluate(() => P.resolution.finish());
   await idle();
   const [own, other] = await totals();

@@ -130,7 +130,7 @@ test('a key and a double click zoom to fit a bar', async () => {
   }, bar);
   await page.evaluate(() => P.view.setLit({bar: 5}));
   await page.focus('#canvas');
-  await page.keyboard.press('b');
+  await page.keyboard.press('g');
   const {far, x, y} = await span(5);
   assert.ok(Math.abs(far - 0.35) < 0.02, `${far}`);
   assert.ok(Math.abs(x - 0.5) < 0.01 && Math.abs(y - 0.5) < 0.01, `${x} ${y}`);

@@ -52,6 +52,7 @@ test('a setting that cannot be is told, and the one before stays', async () => {
 
 test('a step that does not converge is told', async () => {
   await openExample(page, 'peptide_20.pdb');
+  await page.evaluate(() => P.session.again('bonds'));
   await page.selectOption('#technique', 'bfs_cycle');
   await page.fill('#max-sweeps', '1');
   await page.press('#max-sweeps', 'Tab');

@@ -44,6 +44,12 @@ function pull(model, joint, now, before) {
   return [joint, ...way.map((x) => x * mass / (100 * 0.01 * 0.01))];
 }
 
+/** Milliseconds of the processor: other work on the machine does not count. */
+function cpuSince(began) {
+  const {user, system} = process.cpuUsage(began);
+  return (user + system) / 1000;
+}
+
 /** The slowest step of the drag and the state of the worst: whole, stopped or broken. */
 function drag(open, technique, joint) {
   const model = open();
@@ -52,9 +58,9 @@ function drag(open, technique, joint) {
   let [now, before] = [model.positions, model.positions];
   const found = {slowest: 0, sweeps: 0, broken: 0, stopped: 0};
   for (let k = 0; k < STEPS; ++k) {
-    const began = performance.now();
+    const began = process.cpuUsage();
     const step = call('pull', {forces: [pull(model, joint, now, before)]});
-    found.slowest = Math.max(found.slowest, performance.now() - began);
+    found.slowest = Math.max(found.slowest, cpuSince(began));
     found.sweeps = Math.max(found.sweeps, step.sweeps);
     if (step.stop === 'stopped_by_caller') found.stopped += 1;
     else if (!step.converged) found.broken += 1;
@@ -88,7 +94,7 @@ for (const [name, open] of given.length ? documents(given) : [...documents(molec
   }
   if (!model.joints) continue;
   const rows = facts.techniques.map(({name: technique}) => technique);
-  const grey = rows.filter((row) => model.unfit[row]);
+  const grey = rows.filter((row) => model.unfit[row]?.refused || (model.unfit[row] && model.kind !== 'graph'));
   const refused = rows.filter((row) => model.unfit[row]?.refused);
   const tried = rows.filter((row) => !refused.includes(row) && (withAll || !grey.includes(row)));
   const bad = [];

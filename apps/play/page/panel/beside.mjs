@@ -111,7 +111,7 @@ export class Beside {
     this.view.setPositions(film.positions, 1);
     this.setStrain(film.off);
     const {bar, near, far} = film.lit;
-    const {lit, litBar} = this.view.uniforms;
+    const {lit} = this.view.uniforms;
     this.view.second.lit = lit.value.clone().set(lit.value.x, near, far);
     this.view.second.litBar = bar;
     const [own, other] = this.resolution.films;
@@ -122,7 +122,8 @@ export class Beside {
     };
     $('pane-left').textContent = `${this.session.settings.technique}: ${moment(own, other)}`;
     $('pane-right').textContent = `${this.name}: ${moment(other, own)}`;
-    void litBar;
+    for (const id of ['pane-left', 'pane-right']) $(id).classList.remove('first');
+    $('pane-difference').textContent = '';
   }
 
   setStrain(off) {

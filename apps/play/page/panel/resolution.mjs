@@ -65,8 +65,8 @@ export class Resolution {
     const other = this.beside?.isOn ? await this.beside.film() : null;
     if (!reply.events) {
       this.offer();
-      say('This technique places many joints at once: there are no bars to be visited one by one. ' +
-        'The push has been resolved as a whole; Bar by bar has what can be shown.', true);
+      say(`${this.session.settings.technique} places many joints at once: the push has been resolved as a whole. ` +
+        'Panel Bar by bar offers what can be shown.', true);
       return this.land([reply, other]);
     }
     return this.start([reply, other]);
@@ -167,7 +167,7 @@ export class Resolution {
     $('film-pause').setAttribute('aria-pressed', this.isPaused);
     $('film-quick').hidden = left < LONG;
     $('film-back').disabled = film.at === 0;
-    if (this.isPaused || film.at === 0) $('said').textContent = visits;
+    $('said').textContent = this.isPaused ? visits : '';  // spoken where it stands, not on the way
   }
 
   finish() {

@@ -28,7 +28,8 @@ export function reasonNot(session) {
   const row = session.facts?.techniques.find(({name}) => name === technique);
   if (!session.model || !row) return '';
   if (!row.watched) return `${technique} places many joints at once and visits no single bars. The orderings (bfs_cycle and its kin) do.`;
-  if (session.model.unfit[technique])
+  const {kind, unfit} = session.model;
+  if (kind !== 'graph' && unfit[technique])
     return `${technique} does not arrive on this model: where angles are held, bars form rigid units. Held by bonds alone it does.`;
   return '';
 }
@@ -39,7 +40,7 @@ export function offerExample(session) {
   box.hidden = !reason;
   if (!reason) return box.replaceChildren();
   const offers = EXAMPLES.map((row) => button(`Open ${row.title}`, () => openExample(session, row)));
-  if (!session.model.unfit[ORDERING])
+  if (session.model.kind === 'graph' || !session.model.unfit[ORDERING])
     offers.unshift(button(`Take ${ORDERING}`, () => session.change({technique: ORDERING})));
   return box.replaceChildren(element('span', reason), ...offers);
 }

@@ -34,28 +34,28 @@ export class Resolve {
     fillSelect($('model'), names.map((name) => ({name, title: MODELS[name] ?? name})));
   }
 
-  /** Techniques that refuse what is open, or are known not to arrive on it, cannot be chosen; the reason
-   * is theirs. */
-  judge(unfit = {}) {
+  /** Techniques that refuse what is open, or are known not to arrive on it, cannot be chosen, and say why.
+   * Of a graph that is not known: there they are tried, and the clock stops them. */
+  judge(unfit = {}, isGraph = false) {
     this.unfit = unfit;
     for (const id of ['technique', 'other', 'forces-other'])
       for (const option of $(id).options) {
         const found = unfit[option.value];
-        option.disabled = Boolean(found);
+        option.disabled = Boolean(found?.refused || (found && !isGraph));
         option.title = found?.why ?? '';
-        option.textContent = found ? `${option.value}: ${this.reason(option.value, found)}` : option.value;
+        option.textContent = option.disabled ? `${option.value}: ${this.reason(option.value, found)}` : option.value;
       }
   }
 
   /** In few words why it is grey; the whole reason is the option's title. */
   reason(technique, {refused}) {
     const row = this.techniques.find(({name}) => name === technique);
-    if (!refused) return 'stuck on rigid angles';
+    if (!refused) return technique === 'froda_templates' ? 'slow on rigid angles' : 'stuck on rigid angles';
     return row?.forestsOnly ? 'for trees alone' : 'knows no limits';
   }
 
   began(model, isReplay) {
-    this.judge(model.unfit);
+    this.judge(model.unfit, model.kind === 'graph');
     for (const [id] of FIELDS) $(id).disabled = isReplay;
     $('model').disabled = isReplay || model.kind === 'graph';
     $('model').value = this.session.source?.model ?? 'auto';
