@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {describe, test} from 'node:test';
+import {gzipSync} from 'node:zlib';
 import {built, openTab, root} from './browser.mjs';
 
 function givenPage(more = {}) {
@@ -54,5 +55,37 @@ test('the theme of the notebook, a picture and the session to keep, and on from 
   assert.deepEqual(await facts(again.frame), before);
   assert.equal(before.frames, 5);
   await again.tab.context().close();
+});
+
+test('the widget: a picture until the page comes, the theme of JupyterLab, and its changes', async () => {
+  const tab = await openTab('about:blank');
+  const widget = readFileSync(join(root, 'python/pliant/play/widget.mjs'), 'utf8');
+  const page = gzipSync(givenPage()).toString('base64');
+  await tab.evaluate(async ({source, bytes}) => {
+    document.body.dataset.jpThemeLight = 'false';
+    window.sent = [];
+    let take;
+    const model = {
+      get: (name) => (name === 'height' ? 420 : new DataView(new Uint8Array([0x89, 0x50]).buffer)),
+      on: (_, action) => { take = action; }, off() {},
+      send: (facts, _, buffers) => sent.push({...facts, sizes: (buffers ?? []).map((buffer) => buffer.byteLength)}),
+    };
+    const address = URL.createObjectURL(new Blob([source], {type: 'text/javascript'}));
+    const made = (await import(address)).default;
+    window.end = made.render({model, el: document.body});
+    window.before = [...document.querySelectorAll('img, iframe')].map(({tagName}) => tagName);
+    await take({tell: 'page'}, [Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0))]);
+  }, {source: widget, bytes: page});
+  assert.deepEqual(await tab.evaluate(() => window.before), ['IMG']);
+  const frame = await (await tab.waitForSelector('iframe')).contentFrame();
+  const theme = (wanted) => frame.waitForFunction((name) => document.documentElement.dataset.theme === name, wanted);
+  await frame.waitForFunction(() => window.pliant?.then(() => true));
+  await theme('dark');
+  await tab.evaluate(() => { document.body.dataset.jpThemeLight = 'true'; });
+  await theme('light');
+  assert.equal(await tab.locator('img').count(), 0);
+  await tab.waitForFunction(() => sent.some(({tell, sizes}) => tell === 'rested' && sizes.length === 2 && sizes[0] > 1000 && sizes[1] > 100));
+  assert.deepEqual(await tab.evaluate(() => sent.map(({tell}) => tell).slice(0, 2)), ['ready', 'opened']);
+  await tab.context().close();
 });
 });
