@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Packs standard input by LZMA to standard output, with its length in the header, as the page unpacks
-it (page/lzma.mjs). node has no LZMA, Python has."""
+"""Packs standard input by LZMA to standard output, with its length in the header.
+
+The page unpacks it by page/lzma.mjs. node has no LZMA, Python has.
+"""
 
 import lzma
 import sys

@@ -98,6 +98,19 @@ test('SDF: a record a frame, with bonds and their orders', async () => {
   assert.equal(await page.evaluate(() => P.stage.model.bonds.length), 50);
 });
 
+test('SDF: charges of the file', async () => {
+  const places = [[0, 0, 0, 'N'], [0.6, 0.6, 0.6, 'H'], [-0.6, -0.6, 0.6, 'H'], [-0.6, 0.6, -0.6, 'H'], [0.6, -0.6, -0.6, 'H']];
+  const atoms = places.map(([x, y, z, symbol]) =>
+    [x, y, z].map((value) => value.toFixed(4).padStart(10)).join('') + ` ${symbol}   0  0  0  0  0  0  0  0  0  0  0  0`);
+  const bonds = [2, 3, 4, 5].map((joint) => `  1  ${joint}  1  0  0  0  0`);
+  const text = ['ammonium', '', '', '  5  4  0  0  0  0  0  0  0  0999 V2000', ...atoms, ...bonds, 'M  CHG  1   1   1', 'M  END', '$$$$', ''];
+  await page.setInputFiles('#file', {name: 'nh4.sdf', mimeType: '', buffer: Buffer.from(text.join('\n'))});
+  await page.waitForFunction(() => P.session.fileName === 'nh4.sdf');
+  assert.match(readFileSync((await saved(page, 'sdf')).path, 'utf8'), /^M {2}CHG {2}1 {3}1 {3}1$/m);
+  await openExample(page, 'caffeine.sdf');
+  await page.evaluate(() => P.session.pull([[2, 30, 1, -9]]));
+});
+
 test('a picture 3840 wide without its ground', async () => {
   const bytes = readFileSync((await saved(page, 'large')).path);
   assert.equal(bytes.readUInt32BE(16), 3840);

@@ -106,6 +106,10 @@ Reply recorded(const Request& request) {
     }
   reply.fields["texts"] = texts_of(document.atoms);
   reply.fields["integers"] = numbers_of_atoms(document.atoms);
+  // For a file that has room for them: H5MD keeps none.
+  if (document.file != nullptr && document.file->charges.size() == document.atoms.size())
+    reply.fields["charges"] =
+        std::vector<int>(document.file->charges.begin(), document.file->charges.end());
   reply.fields["barsOnly"] = document.framework.has_bars_only();
   std::vector<std::uint8_t> origins, orders;
   for (const Bond& bond : document.bonds) {

@@ -43,7 +43,8 @@ def picture(positions: NDArray[np.float64], elements: NDArray[np.uint8] | None =
 def _turned(positions: NDArray[np.float64]) -> NDArray[np.float64]:
     centred = positions - positions.mean(axis=0)
     _, _, axes = np.linalg.svd(centred, full_matrices=False)
-    return centred @ axes.T if len(axes) == 3 else centred
+    turned: NDArray[np.float64] = centred @ axes.T if len(axes) == 3 else centred
+    return turned
 
 
 def _ball(

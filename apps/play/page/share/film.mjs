@@ -51,20 +51,28 @@ export async function film({view, stage, transport}) {
   const ended = new Promise((done) => { recorder.onstop = done; });
   transport.play(false);
   stage.show(0);
-  recorder.start();
+  recorder.start(SLICE);
   transport.play(true);
-  await played(transport);
+  await played(transport, view, () => pieces.some(({size}) => size > 0));
   recorder.stop();
   await ended;
   for (const track of stream.getTracks()) track.stop();
   return new Blob(pieces, {type: 'video/webm'});
 }
 
-const STILL = 300;  // ms for the last frame
+const [SLICE, STILL, LONGEST_WAIT] = [100, 500, 5000];  // ms: of a piece, of the last frame, for a first piece
 
-function played(transport) {
+/** The recorder takes what is drawn, so something is, until the last frame was seen. */
+function played(transport, view, hasBegun) {
+  let ended = null;
   return new Promise((done) => {
-    const look = () => (transport.playing ? requestAnimationFrame(look) : setTimeout(done, STILL));
+    const look = (now) => {
+      view.stale = true;
+      if (!transport.playing) ended ??= now;
+      const still = ended === null ? 0 : now - ended;
+      if (still < STILL || (!hasBegun() && still < LONGEST_WAIT)) requestAnimationFrame(look);
+      else done();
+    };
     requestAnimationFrame(look);
   });
 }
