@@ -98,7 +98,7 @@ function loop(parts) {
     stage.tick(now);
     plots.tick(now);
     view.stale = view.quality.tick(now, view.stale) || view.stale;
-    if (view.stale) view.draw();
+    if (view.stale) view.frame();
     session.live?.tick(now);
     costs.push(performance.now() - began);
     if (costs.length > 100) costs.shift();

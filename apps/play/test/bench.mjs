@@ -54,7 +54,7 @@ function drag(page) {
       if (what === 'pull') took.solver.push(reply.took);
       return reply;
     };
-    const undo = [timed(session, 'stand', took.step), timed(view, 'draw', took.draw),
+    const undo = [timed(session, 'stand', took.step), timed(view, 'frame', took.draw),
       timed(P.plots, 'tick', took.plots), () => { client.ask = ask; }];
     const joint = Math.floor(session.model.joints / 2);
     hand.grasp(joint, view.orbit.project(hand.positionOf(joint)));
