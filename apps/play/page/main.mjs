@@ -135,7 +135,7 @@ function loop(parts) {
     plots.tick(now);
     view.stale = view.quality.tick(now, view.stale) || view.stale;
     if (view.stale) {
-      view.draw();
+      view.frame();
       parts.labels.draw();
     }
     session.live?.tick(now);

@@ -54,7 +54,7 @@ function drag(page) {
       if (what === 'pull') took.solver.push(reply.took);
       return reply;
     };
-    const undo = [timed(session, 'stand', took.step), timed(view, 'draw', took.draw),
+    const undo = [timed(session, 'stand', took.step), timed(view, 'frame', took.draw),
       timed(P.plots, 'tick', took.plots), () => { client.ask = ask; }];
     const joint = Math.floor(session.model.joints / 2);
     hand.grasp(joint, view.orbit.project(hand.positionOf(joint)));
@@ -86,6 +86,37 @@ async function measure(page, title, technique) {
     [script, step, rest, draw, plots, solver, script + solver, shown].map(cell).join(''));
 }
 
+/** Drawing without a graphics processor: a picture of 1280 x 720 and a pixel read back, ms, the least
+ * and the median of 24, at each level of detail. The pictures of `frame` above are drawn by the same. */
+async function paint(page, title) {
+  const rows = await page.evaluate(async (levels) => {
+    const {view, session} = P;
+    const {quality, renderer} = view;
+    const gl = renderer.getContext();
+    view.resize(1280, 720, 1);
+    quality.isFixed = true;
+    const found = [];
+    for (let level = 0; level < levels; ++level) {
+      quality.use(level);
+      const took = [];
+      for (let k = 0; k < 24; ++k) {
+        const began = performance.now();
+        view.setPositions(session.positions);
+        view.frame();
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+        took.push(performance.now() - began);
+        await new Promise((done) => setTimeout(done, 20));
+      }
+      took.sort((a, b) => a - b);
+      found.push([level, gl.drawingBufferWidth, gl.drawingBufferHeight, took[0], took[12]]);
+    }
+    quality.isFixed = false;
+    return found;
+  }, 6);
+  for (const [level, width, height, least, median] of rows)
+    console.log(`  drawn, ${title}, level ${level}, ${width} x ${height}: least ${least.toFixed(1)}, median ${median.toFixed(1)}`);
+}
+
 async function open(page, name, text, model) {
   await page.evaluate(([title, content, held]) =>
     P.open.openBytes(title, new TextEncoder().encode(content), held), [name, text, model]);
@@ -102,6 +133,7 @@ for (const [count, joints] of text ? [[1, 3341], [3, 10000], [30, 100000]] : [])
   if (!isAsked(joints)) continue;
   await open(page, 'copies.pdb', copies(text, count), 'bonds');
   await measure(page, `bonds of ${count} protein${count > 1 ? 's' : ''}`, 'blocks');
+  await paint(page, await page.evaluate(() => P.view.style));
   await open(page, 'copies.pdb', copies(text, count), 'protein');
   await measure(page, `model of ${count} protein${count > 1 ? 's' : ''}`, 'froda');
 }

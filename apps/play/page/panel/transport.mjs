@@ -130,7 +130,6 @@ export class Transport {
   }
 
   async savePicture(stem) {
-    this.view.quality.use(0);
     this.view.draw();
     const blob = await new Promise((resolve) => this.view.renderer.domElement.toBlob(resolve, 'image/png'));
     download([blob], `${stem}.png`, 'image/png');

@@ -27,11 +27,12 @@ float far(vec2 at) {       // distance along the view, Angstrom
 }
 bool isGround(vec2 at) { return texture(depths, at).r >= 1.; }
 // Darkness by what is in front within some pixels: x outline, y shadow.
+const vec2 WAYS[8] = vec2[8](vec2(1., 0.), vec2(.7071, .7071), vec2(0., 1.), vec2(-.7071, .7071), vec2(-1., 0.),
+  vec2(-.7071, -.7071), vec2(0., -1.), vec2(.7071, -.7071));
 vec2 covered(float z) {
   vec2 dark = vec2(0.);
   for (int k = 0; k < 8; ++k) {
-    float angle = 6.2831853 * float(k) / 8.;
-    vec2 way = vec2(cos(angle), sin(angle)) * pixelSize;
+    vec2 way = WAYS[k] * pixelSize;
     float step = z - far(place + 1.2 * way), off = z - far(place + (k % 2 == 0 ? 5. : 9.) * way);
     dark.x = max(dark.x, smoothstep(.9, 2.2, step / unit));
     dark.y += smoothstep(.4, 2.5, off / unit) * (1. - smoothstep(8., 20., off / unit)) / 8.;

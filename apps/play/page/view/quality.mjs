@@ -15,6 +15,7 @@ export const LEVELS = [
 const [SLOW, FAST] = [40, 20];  // ms a picture: above the one coarser, below the other finer
 const [FEW, MANY] = [3, 30];  // pictures in a row that say so
 const REST = 250;  // ms without a change
+const LONG = 400;  // ms of a picture at rest: the next is drawn without outlines
 const AGAIN = 8000;  // ms after which a level that was too slow is tried once more; doubled each time
 
 /** Whether the browser draws without a graphics processor: then with fewer samples. */
@@ -37,6 +38,7 @@ export class Quality {
 
   /** Another model costs another time. */
   reset() {
+    this.whole = 0;  // the level of a picture at rest
     this.slow = this.fast = 0;
     this.barred = LEVELS.map(() => ({until: 0, pause: AGAIN}));
     this.drawn = -Infinity;
@@ -54,8 +56,8 @@ export class Quality {
     this.look(time);
     if (this.isFixed) return false;
     if (isStale) this.use(this.level);
-    else if (this.now > 0 && time - this.drawn > REST) {
-      this.use(0);
+    else if (this.now > this.whole && time - this.drawn > REST) {
+      this.use(this.whole);
       this.isResting = true;
       return true;
     }
@@ -66,10 +68,10 @@ export class Quality {
   after(time) {
     const {gl} = this;
     this.drawn = time;
-    const counts = !this.isResting && !this.waiting && !document.hidden;
+    const {isResting} = this;
     this.isResting = false;
-    if (!counts || this.isFixed) return;
-    this.waiting = {fence: gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), time, level: this.now};
+    if (this.waiting || document.hidden || this.isFixed) return;
+    this.waiting = {fence: gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), time, level: this.now, isResting};
     gl.flush();
   }
 
@@ -78,7 +80,8 @@ export class Quality {
     if (!waiting || gl.getSyncParameter(waiting.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return;
     gl.deleteSync(waiting.fence);
     this.waiting = null;
-    if (waiting.level === this.level) this.took(time - waiting.time, time);
+    if (waiting.isResting) this.whole = time - waiting.time > LONG ? 1 : 0;
+    else if (waiting.level === this.level) this.took(time - waiting.time, time);
   }
 
   took(ms, time) {

@@ -197,7 +197,14 @@ export class View {
     this.uniforms.fog.value.set(distance - 0.25 * radius, distance + 1.7 * radius);
   }
 
+  /** A whole picture at once. */
   draw() {
+    this.quality.use(0);
+    this.frame();
+  }
+
+  /** One of many: as finely as there is time for. */
+  frame() {
     this.stale = false;
     this.paint();
     this.quality.after(performance.now());
