@@ -134,8 +134,7 @@ int command_sample(const Arguments& arguments) {
       "is left out, 130 ended early by Ctrl-C, with all frames complete.");
   SampleSettings settings;
   add_sample_options(line, settings);
-  line.set_common(
-      {"--frames", "--amplitude", "--continue", "--select", "--keep", "--output", "--show"});
+  line.set_common({"--frames", "--amplitude", "--continue", "--select", "--keep", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (!settings.go_on.empty()) return continue_sample(line, settings);
   Messages messages(settings.json || settings.quiet);
