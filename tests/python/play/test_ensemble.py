@@ -2,14 +2,15 @@
 """What the page is told of an ensemble: its frames, domains and their turns, shapes."""
 
 import numpy as np
-import pliant
 import pytest
 from imd_partners import MOLECULES
 from pliant.play.ensemble.many_frames import is_many_frames
 
+import pliant
+
 pytest.importorskip("MDAnalysis")
-from pliant.play.ensemble.facts import ensemble_for_page  # noqa: E402
-from pliant.play.ensemble.turns import largest_turn  # noqa: E402
+from pliant.play.ensemble.facts import ensemble_for_page
+from pliant.play.ensemble.turns import largest_turn
 
 
 def rotated(positions, angle, about):
