@@ -190,6 +190,7 @@ export class Hand {
   forceOn(held, share = STRENGTH[this.strength]) {
     if (this.vector) return [held.joint, ...this.vector];
     const now = this.positionOf(held.joint);
+    if (this.session.live?.isDynamics) return [held.joint, ...this.session.live.spring(less(held.target, now))];
     const timestep = this.session.settings.timestep || 0.01;
     const given = this.session.model.mass?.[held.joint];
     const mass = given > 0 && given < Infinity ? given : 12;

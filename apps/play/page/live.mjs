@@ -7,6 +7,8 @@ import {$, say} from './panel/dom.mjs';
 
 const NUMBERS = 6;  // 64-bit floats before the positions: see python/pliant/play/bridge.py
 const SILENT = 2000;  // ms without a frame after which the page says so
+const SPRING = 5;  // kJ/(mol Angstrom^2)
+const STRONGEST = 60;  // kJ/(mol Angstrom): 1 nN, as when proteins are unfolded by pulling
 const PACE = 0.1;  // share of the newest in frames and steps a second
 
 /** Step, time, residual and so on, and positions in Angstrom, of a message of the bridge. */
@@ -72,6 +74,7 @@ export class Live {
     if (frame.positions.length !== this.session.positions.length)
       return this.stop(`The run has ${frame.positions.length / 3} joints, the file ${this.session.positions.length / 3}.`);
     this.measure(frame);
+    this.isDynamics = Number.isNaN(frame.residual);  // GROMACS or NAMD, which tell of no bars
     this.state = frame.converged ? {text: 'Live', kind: 'good'} : {text: 'Live, not converged', kind: 'bad'};
     this.session.stand(frame);
     for (const done of this.waiting.splice(0)) done();
@@ -133,6 +136,13 @@ export class Live {
   /** How many times as far a frame has to take a joint as on a page that is fast enough. */
   get pace() {
     return Gain.pace(this.seconds);
+  }
+
+  /** The force of a spring to the pointer, kJ/(mol Angstrom), for a run of molecular dynamics: its atoms
+   * have masses and velocities of their own, and what is too strong tears bonds. */
+  spring(way) {
+    const far = Math.max(Math.hypot(...way), 1e-12);
+    return way.map((x) => x / far * Math.min(SPRING * far, STRONGEST));
   }
 
   /** Angstrom by which a force has to move a joint in each step to bring it `way` further until the

@@ -148,7 +148,8 @@ class Bridge:
     async def _share(self) -> None:
         """The run is pulled by all pages together, and each is told what the others pull with."""
         total = _summed(self.pulls.values())
-        await self.upstream.pull(list(total), list(total.values()) or np.empty((0, 3)))
+        forces = np.array(list(total.values())).reshape(-1, 3)
+        await self.upstream.pull(np.array(list(total), np.int64), forces)
         for page in list(self.pulls):
             others = _summed(one for other, one in self.pulls.items() if other is not page)
             rows = [[atom, *force.tolist()] for atom, force in others.items()]

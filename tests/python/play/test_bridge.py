@@ -16,6 +16,7 @@ import h5py
 import numpy as np
 import pytest
 from imd_partners import MOLECULES, served_run
+from pliant.imd.client import ImdFrame
 from pliant.play import bridge, command, connect, page, upstream
 
 sync_client = pytest.importorskip("websockets.sync.client")
@@ -237,14 +238,30 @@ def test_what_no_page_says_costs_the_page_its_connection_and_nothing_else(tmp_pa
         assert run.process.poll() is None
 
 
-def test_the_last_page_that_came_is_given_frames(tmp_path):
+def told_of_pulls(talk):
+    """What others pull with, once a page is told."""
+    while True:
+        said = talk.recv(timeout=20)
+        if isinstance(said, str):
+            return json.loads(said)["pulls"]
+
+
+def test_two_pages_follow_and_each_is_told_what_the_other_pulls_with(tmp_path):
     with bridged(tmp_path) as (_, served), served.talk() as first:
         asked(first)
         with served.talk() as second:
             assert asked(second)[0] >= 0
-            with pytest.raises(ConnectionClosed) as closed:
-                first.recv(timeout=20)
-            assert closed.value.rcvd.code == 4000
+            second.send(json.dumps({"do": "pull", "forces": [[7, 0, 0, 1]]}))
+            assert told_of_pulls(first) == [[7, 0, 0, 1]]
+            assert asked(first)[0] >= 0
+        assert told_of_pulls(first) == []  # who leaves pulls no more
+
+
+def test_of_a_run_with_a_temperature_no_residual_is_told():
+    positions = np.zeros((2, 3))
+    energies = {"temperature": 300.0, "total_energy": -600.0, "coulomb_energy": 12.0}
+    frame = ImdFrame(step=5, time=0.1, energies=energies, positions=positions)
+    assert np.isnan(np.frombuffer(bridge.packed(frame)[16:48], "<f8")).all()
 
 
 def test_one_page_after_the_other_shares_one_connection(tmp_path):
