@@ -83,7 +83,9 @@ class Asking {
  private:
   Loads loads_of(const SteeredWalk& walk) const {
     const Load pull{pull_.joint, along_};
-    return find_loads(walk.framework(), walk.state().positions, {&pull, 1});
+    LoadOptions options;
+    options.most_passes = 400;  // shares of a few per cent are known by then
+    return find_loads(walk.framework(), walk.state().positions, {&pull, 1}, options);
   }
 
   /// Steps under the pull. Returns how far the joint got along it at best, or nothing if a step did
