@@ -77,6 +77,9 @@ class Asking {
       if (std::abs(loads.bars[k]) >= least_bar_load) found.loaded.push_back(k);
     found.taut = find_taut_chain(walk_.framework(), walk_.state().positions, pull_.joint, along_);
     try_removal(found);
+    const bool has_pin = std::ranges::any_of(
+        found.holders, [](const Holder& one) { return one.kind == HolderKind::pin; });
+    if (found.frees() && !has_pin) found.taut.reset();  // a chain at its end gets no further
     return found;
   }
 
