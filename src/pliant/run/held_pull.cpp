@@ -77,13 +77,18 @@ class Asking {
       if (std::abs(loads.bars[k]) >= least_bar_load) found.loaded.push_back(k);
     found.taut = find_taut_chain(walk_.framework(), walk_.state().positions, pull_.joint, along_);
     try_removal(found);
+    const bool has_pin = std::ranges::any_of(
+        found.holders, [](const Holder& one) { return one.kind == HolderKind::pin; });
+    if (found.frees() && !has_pin) found.taut.reset();  // a chain at its end gets no further
     return found;
   }
 
  private:
   Loads loads_of(const SteeredWalk& walk) const {
     const Load pull{pull_.joint, along_};
-    return find_loads(walk.framework(), walk.state().positions, {&pull, 1});
+    LoadOptions options;
+    options.most_passes = 400;  // shares of a few per cent are known by then
+    return find_loads(walk.framework(), walk.state().positions, {&pull, 1}, options);
   }
 
   /// Steps under the pull. Returns how far the joint got along it at best, or nothing if a step did

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double least_reach = 0.95;
 constexpr std::size_t least_bars = 6;  // fewer may be one rigid group
-constexpr double least_along = 0.8;  // cosine of the chain and the pull
+constexpr double least_along = 0.8;    // cosine of the chain and the pull
 
 /// The end of the best chain to a joint, laid out in a plane: as far as it can be.
 struct Stretched {
