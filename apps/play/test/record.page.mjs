@@ -129,11 +129,4 @@ test('the force file of the session', async () => {
   const text = readFileSync(path, 'utf8');
   assert.match(text, /^pliant-forces 3\nstructure [0-9a-f]{16}\njoints 22\nbars \d+\ninput model /);
 });
-
-test('a force file is no molecule: the page says what repeats it', async () => {
-  const buffer = Buffer.from('pliant-forces 3\nforce 1 2 3 4\nstep\n');
-  await page.setInputFiles('#file', {name: 'a.forces.txt', mimeType: '', buffer});
-  assert.equal(await message(page),
-    'a.forces.txt is a force file. The command repeats it on its molecule: pliant run FILE --forces a.forces.txt');
-});
 });

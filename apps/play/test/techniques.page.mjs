@@ -84,4 +84,19 @@ test('the time is a setting, and 0 is never', async () => {
   await page.click('#message-close');
   await page.evaluate(() => P.session.limitSteps(100));
 });
+
+test('a walk that will not arrive ends, and says so', async () => {
+  await openExample(page, 'peptide_20.pdb');
+  await page.evaluate(async () => {
+    await P.session.again('protein');
+    await P.session.change({technique: 'bfs_cycle', max_sweeps: 1e9});
+    await P.session.limitSteps(1);
+    P.wander.toggle(true);
+  });
+  assert.match(await message(page), /^bfs_cycle did not make all bars whole within 1 ms/);
+  await page.waitForFunction(() => !P.wander.isOn && !P.wander.busy);
+  assert.equal(await page.evaluate(() => P.session.strokes.length), 0);
+  await page.evaluate(() => P.session.limitSteps(100));
+  await page.click('#message-close');
+});
 });

@@ -155,8 +155,9 @@ Json unfit_told(const Framework& framework) {
     else if (is_slow_for_a_hand(row.name, framework))
       rows[std::string(row.name)] = {
           {"refused", false},
-          {"why", "technique = froda_templates: takes hundreds of sweeps a step where angles are "
-                  "held; use auto"}};
+          {"why",
+           "technique = froda_templates: takes hundreds of sweeps a step where angles are "
+           "held; use auto"}};
   }
   return rows;
 }

@@ -186,10 +186,13 @@ export class Beside {
       const broken = total.broken ? `, ${units(total.broken, 'step')} not whole` : '';
       return `${name}: ${units(total.sweeps, 'sweep')}, ${units(total.projections, 'visit')}${broken}${stopped ? ', the last stopped' : ''}`;
     };
-    $('pane-left').textContent = told(own, this.session.settings.technique, this.stage.stop);
-    $('pane-right').textContent = told(other, this.name, this.stopped);
-    $('pane-left').classList.toggle('first', own.projections < other.projections && !own.broken);
-    $('pane-right').classList.toggle('first', other.projections < own.projections && !other.broken);
+    const isFirst = (one, another) => one.projections < another.projections && !one.broken;
+    const panes = [['pane-left', own, other, this.session.settings.technique, this.stage.stop],
+      ['pane-right', other, own, this.name, this.stopped]];
+    for (const [id, one, another, name, stopped] of panes) {
+      $(id).textContent = told(one, name, stopped) + (isFirst(one, another) ? ', fewer' : '');
+      $(id).classList.toggle('first', isFirst(one, another));
+    }
     const {rms, most, joint} = this.apart ?? {};
     $('pane-difference').textContent = !(most > 0) ? `Both stand alike${own.steps ? ` after ${units(own.steps, 'push', 'pushes')}` : ''}`
       : `Apart by ${shortNumber(rms)} Å (RMS), at most ${shortNumber(most)} Å at ${this.session.model.nameOf(joint)}`;

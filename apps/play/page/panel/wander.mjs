@@ -66,9 +66,13 @@ export class Wander {
     return this.session.wander(1, this.walkers, this.hasBegun);
   }
 
-  take({frames, walkers}) {
+  take({frames, walkers, stopped}) {
     this.hasBegun = true;
     const {session} = this;
+    if (stopped) {  // the same draw would not arrive the next time either
+      this.toggle(false);
+      session.stop({stopped});
+    }
     for (const step of frames ?? []) {
       session.strokes[session.strokes.length - 1] += 1;
       session.stand(step);

@@ -2,6 +2,8 @@
 #include "steps/made_step.hpp"
 
 #include <chrono>
+#include <functional>
+#include <span>
 
 namespace pliant::play {
 namespace {

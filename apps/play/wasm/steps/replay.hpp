@@ -2,8 +2,10 @@
 // A force file that the session repeats, step by step.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "session.hpp"
 

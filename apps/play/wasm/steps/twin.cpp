@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "steps/twin.hpp"
 
+#include <functional>
+#include <memory>
 #include <utility>
 
 namespace pliant::play {

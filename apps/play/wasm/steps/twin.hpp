@@ -2,6 +2,7 @@
 // A second walker beside the session's: it makes the same steps with another technique.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 

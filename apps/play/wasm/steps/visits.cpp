@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "steps/visits.hpp"
 
+#include <span>
+
 namespace pliant::play {
 namespace {
 
