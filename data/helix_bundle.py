@@ -193,7 +193,8 @@ def settle(peptide, positions):
             if name in ("N", "CA", "C", "O"):
                 field.MMFFAddPositionConstraint(k, slack, 200.0)
         field.Initialize()
-        print(slack, field.Minimize(maxIts=steps), field.CalcEnergy(), flush=True)
+        unfinished = field.Minimize(maxIts=steps)
+    assert unfinished == 0
 
 
 def three_helices() -> Sketch:
