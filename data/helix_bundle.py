@@ -116,6 +116,7 @@ def drawn(random, trials):
 
 
 def best_of(phi, psi):
+    """The torsions of the trial with the least badness, and that."""
     values = [badness(atoms) for atoms in backbone(phi, psi)]
     best = int(np.argmin(values))
     return values[best], phi[best], psi[best]
