@@ -199,8 +199,10 @@ def settle(peptide, positions):
 
 
 def hold_helices(peptide, properties):
-    """In vacuum the hydrogen bonds of helices grow long: O of a residue and H of the fourth after it are
-    drawn to where they bind."""
+    """O of a residue and H of the fourth after it are drawn to where they bind.
+
+    In vacuum the hydrogen bonds of helices grow long.
+    """
     field = AllChem.MMFFGetMoleculeForceField(peptide.molecule, properties, nonBondedThresh=7.0)
     field.Initialize()
     for begin, end in stretches():
