@@ -116,6 +116,7 @@ def drawn(random, trials):
 
 
 def best_of(phi, psi):
+    """The torsions of the trial with the least badness, and that."""
     values = [badness(atoms) for atoms in backbone(phi, psi)]
     best = int(np.argmin(values))
     return values[best], phi[best], psi[best]
@@ -193,7 +194,23 @@ def settle(peptide, positions):
             if name in ("N", "CA", "C", "O"):
                 field.MMFFAddPositionConstraint(k, slack, 200.0)
         field.Initialize()
-        print(slack, field.Minimize(maxIts=steps), field.CalcEnergy(), flush=True)
+        field.Minimize(maxIts=steps)
+    hold_helices(peptide, properties)
+
+
+def hold_helices(peptide, properties):
+    """O of a residue and H of the fourth after it are drawn to where they bind.
+
+    In vacuum the hydrogen bonds of helices grow long.
+    """
+    field = AllChem.MMFFGetMoleculeForceField(peptide.molecule, properties, nonBondedThresh=7.0)
+    field.Initialize()
+    for begin, end in stretches():
+        for number in range(begin + 1, end - 3):
+            if SEQUENCE[number + 3] != "P":
+                ends = peptide.atom("O", number), peptide.atom("H", number + 4)
+                field.MMFFAddDistanceConstraint(*ends, False, 1.9, 2.05, 300.0)
+    field.Minimize(maxIts=400)
 
 
 def three_helices() -> Sketch:

@@ -9,7 +9,7 @@ const PLOTS = [
   {id: 'residual', title: 'Worst residual', log: true, of: (row) => row.residual},
   {id: 'sweeps', title: 'Sweeps a step', of: (row) => row.sweeps},
   {id: 'rmsd', title: 'RMSD from start, Å', of: (row) => row.rmsd},
-  {id: 'rmsf', title: 'RMSF by residue, Å', bars: true},
+  {id: 'rmsf', title: 'RMSF, Å', bars: true},
 ];
 
 function build({id, title}) {
