@@ -2,8 +2,8 @@
 // For those who use no mouse, no eyes, or eyes that see fewer colours.
 import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
-import {openExample, sharedPage, settle} from './browser.mjs';
-import {SEEN, leastApart} from './vision.mjs';
+import {openExample, sharedPage, settle} from './support/browser.mjs';
+import {SEEN, leastApart} from './support/vision.mjs';
 
 const CONTROLS = new Set(['button', 'link', 'textbox', 'combobox', 'slider', 'spinbutton', 'checkbox', 'radio',
   'application', 'ColorWell', 'DisclosureTriangle', 'img', 'dialog', 'region', 'switch', 'menuitem']);

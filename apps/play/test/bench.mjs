@@ -5,7 +5,7 @@
 // protein by `froda`. Medians, ms. `script` is all JavaScript of the page, `all` that and the solver;
 // painting is the graphics processor's, and is in `shown` alone.
 import {readFileSync} from 'node:fs';
-import {openPage, quit, settle} from './browser.mjs';
+import {openPage, quit, settle} from './support/browser.mjs';
 
 const STEPS = 40;
 const [FRAME, PLOTS] = [1000 / 60, 90];  // ms between frames of a usual screen, and between plots

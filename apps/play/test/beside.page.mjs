@@ -2,7 +2,7 @@
 // Two techniques side by side, in step: counts, who is whole first, how far apart they end.
 import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
-import {drag, openExample, seenJoint, sharedPage, settle} from './browser.mjs';
+import {drag, openExample, seenJoint, sharedPage, settle} from './support/browser.mjs';
 
 describe('beside', () => {
 let page;

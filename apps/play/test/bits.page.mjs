@@ -6,7 +6,7 @@ import {createHash} from 'node:crypto';
 import {readFileSync} from 'node:fs';
 import {basename, dirname, join} from 'node:path';
 import {before, describe, test} from 'node:test';
-import {root, sharedPage} from './browser.mjs';
+import {root, sharedPage} from './support/browser.mjs';
 
 const PYTHON = join(dirname(process.env.PLIANT_COMMAND || join(root, '.venv', 'bin', 'pliant')), 'python');
 // Steps, model, file: rings, no ring, many residues, and limits, with which some techniques are slow.

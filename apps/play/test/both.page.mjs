@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The same acts in Chromium and in Firefox.
 import {after, before, describe, test} from 'node:test';
-import {ACTS} from './acts.mjs';
-import {openPage} from './browser.mjs';
-import {missing, openFirefox} from './firefox.mjs';
+import {ACTS} from './support/acts.mjs';
+import {openPage} from './support/browser.mjs';
+import {missing, openFirefox} from './support/firefox.mjs';
 
 /** Playwright's takes the argument before the options. */
 async function openChromium() {

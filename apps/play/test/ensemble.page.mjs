@@ -6,7 +6,7 @@ import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, describe, test} from 'node:test';
-import {root, settle, sharedPage} from './browser.mjs';
+import {root, settle, sharedPage} from './support/browser.mjs';
 
 const COMMAND = process.env.PLIANT_COMMAND || join(root, '.venv', 'bin', 'pliant');
 const FRAMES = 12;

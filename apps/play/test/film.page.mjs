@@ -3,7 +3,7 @@
 // quick; where nothing goes bar by bar an example is a click away; zoom to fit a bar.
 import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
-import {openExample, sharedPage} from './browser.mjs';
+import {openExample, sharedPage} from './support/browser.mjs';
 import {EXAMPLES} from '../page/panel/resolution_offer.mjs';
 import {ORDERINGS, counter} from './visits.mjs';
 

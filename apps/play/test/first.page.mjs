@@ -6,7 +6,7 @@ import {after, before, describe, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {
   built, drag, message, openExample, openPage, openTab, seenJoint, settle, sharedPage,
-} from './browser.mjs';
+} from './support/browser.mjs';
 
 const SIZES = [[420, 800], [800, 600], [1400, 900]].map(([width, height]) => ({width, height}));
 

@@ -2,7 +2,7 @@
 // Force files and ordering files in the page: opened, seen, repeated, and repeated by other techniques.
 import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
-import {drag, message, openExample, seenJoint, sharedPage} from './browser.mjs';
+import {drag, message, openExample, seenJoint, sharedPage} from './support/browser.mjs';
 
 describe('forces', () => {
 let page;

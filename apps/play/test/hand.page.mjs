@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
 import {
   PHONE, drag, openExample, openPage, placeOf, seenJoint, sharedPage, settle,
-} from './browser.mjs';
+} from './support/browser.mjs';
 
 describe('hand', () => {
 let page;

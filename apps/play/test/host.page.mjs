@@ -6,7 +6,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {describe, test} from 'node:test';
 import {gzipSync} from 'node:zlib';
-import {built, openTab, root} from './browser.mjs';
+import {built, openTab, root} from './support/browser.mjs';
 
 function givenPage(more = {}) {
   const file = readFileSync(join(root, 'data/molecules/alanine_dipeptide.pdb'));

@@ -6,7 +6,7 @@ import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {dirname, join} from 'node:path';
 import {after, before, describe, test} from 'node:test';
-import {built, openPage, placeOf, root, seenJoint, settle} from './browser.mjs';
+import {built, openPage, placeOf, root, seenJoint, settle} from './support/browser.mjs';
 
 const COMMAND = process.env.PLIANT_COMMAND || join(root, '.venv', 'bin', 'pliant');
 const PEPTIDE = join(root, 'data', 'molecules', 'peptide_20.pdb');

@@ -2,7 +2,7 @@
 // Measuring, selecting, and labels over the picture.
 import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
-import {drag, message, openExample, placeOf, seenJoint, sharedPage, settle} from './browser.mjs';
+import {drag, message, openExample, placeOf, seenJoint, sharedPage, settle} from './support/browser.mjs';
 import {measured} from '../page/panel/measure.mjs';
 
 describe('measure', () => {

@@ -5,7 +5,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {before, describe, test} from 'node:test';
 import {gzipSync} from 'node:zlib';
-import {message, root, sharedPage, settle} from './browser.mjs';
+import {message, root, sharedPage, settle} from './support/browser.mjs';
 
 describe('open', () => {
 let page;

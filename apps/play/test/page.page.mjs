@@ -6,7 +6,7 @@ import {join} from 'node:path';
 import {before, describe, test} from 'node:test';
 import {
   PHONE, WIDE, built, drag, openExample, openPage, require, seenJoint, sharedPage, settle,
-} from './browser.mjs';
+} from './support/browser.mjs';
 
 const AXE = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 

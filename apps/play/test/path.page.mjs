@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {before, describe, test} from 'node:test';
-import {message, openExample, root, saved, settle, sharedPage} from './browser.mjs';
+import {message, openExample, root, saved, settle, sharedPage} from './support/browser.mjs';
 
 const START = readFileSync(join(root, 'data', 'molecules', 'peptide_20.pdb'), 'utf8');
 

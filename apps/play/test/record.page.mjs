@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {before, describe, test} from 'node:test';
-import {drag, message, openExample, saved, seenJoint, sharedPage} from './browser.mjs';
+import {drag, message, openExample, saved, seenJoint, sharedPage} from './support/browser.mjs';
 
 describe('record', () => {
 let page;

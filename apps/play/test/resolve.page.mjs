@@ -2,7 +2,7 @@
 // Techniques and settings; the same push again; bar by bar; wandering.
 import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
-import {drag, message, openExample, placeOf, seenJoint, sharedPage, settle} from './browser.mjs';
+import {drag, message, openExample, placeOf, seenJoint, sharedPage, settle} from './support/browser.mjs';
 
 describe('resolve', () => {
 let page;

@@ -2,7 +2,7 @@
 // The cartoon: it is where the atoms are, can be picked and pulled, and costs few draw calls.
 import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
-import {drag, openExample, settle, sharedPage} from './browser.mjs';
+import {drag, openExample, settle, sharedPage} from './support/browser.mjs';
 
 describe('ribbon', () => {
 let page;

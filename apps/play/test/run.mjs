@@ -5,7 +5,7 @@ import {readdirSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {after} from 'node:test';
 import {fileURLToPath, pathToFileURL} from 'node:url';
-import {quit} from './browser.mjs';
+import {quit} from './support/browser.mjs';
 
 const folder = dirname(fileURLToPath(import.meta.url));
 const words = process.argv.slice(2);

@@ -5,7 +5,7 @@ import {readFileSync} from 'node:fs';
 import {before, describe, test} from 'node:test';
 import {inflateSync} from 'node:zlib';
 import {pathToFileURL} from 'node:url';
-import {drag, openExample, openPage, saved, seenJoint, settle, sharedPage} from './browser.mjs';
+import {drag, openExample, openPage, saved, seenJoint, settle, sharedPage} from './support/browser.mjs';
 
 /** FNV-1a of the bits of all frames, and of where the solver stands. */
 const bitsOf = (tab) => tab.evaluate(() => {

@@ -5,7 +5,7 @@
 import {readFileSync, readdirSync} from 'node:fs';
 import {basename, join} from 'node:path';
 import {WasmModule} from '../page/wasm_module.mjs';
-import {wasmOfBuild} from './ask_worker.mjs';
+import {wasmOfBuild} from './from_python/ask_worker.mjs';
 
 const root = new URL('../../../', import.meta.url).pathname;
 const STEP = 0.3;  // Angstrom

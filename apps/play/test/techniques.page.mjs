@@ -2,7 +2,7 @@
 // Techniques that cannot are grey; a step that will not arrive is stopped, taken back and told.
 import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
-import {drag, message, openExample, seenJoint, sharedPage} from './browser.mjs';
+import {drag, message, openExample, seenJoint, sharedPage} from './support/browser.mjs';
 
 describe('techniques', () => {
 let page;

@@ -4,7 +4,7 @@
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {WasmModule} from '../page/wasm_module.mjs';
-import {wasmOfBuild} from './ask_worker.mjs';
+import {wasmOfBuild} from './from_python/ask_worker.mjs';
 
 const root = new URL('../../../', import.meta.url).pathname;
 export const PULLS = [0.24, 0.6, 1, 1.4];  // Angstrom

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {before, describe, test} from 'node:test';
-import {placeOf, root, saved, settle, sharedPage} from './browser.mjs';
+import {placeOf, root, saved, settle, sharedPage} from './support/browser.mjs';
 
 describe('why', () => {
 let page;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "call.hpp"
 
-#include "edit_calls.hpp"
+#include "edits/edit_calls.hpp"
 #include "open_calls.hpp"
 #include "path_calls.hpp"
 #include "pliant/base/choices.hpp"
 #include "recorded_call.hpp"
 #include "sample_call.hpp"
 #include "step_calls.hpp"
-#include "why_call.hpp"
+#include "edits/why_call.hpp"
 #include "steps/order_calls.hpp"
 #include "steps/replay_calls.hpp"
 #include "steps/select_call.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "step_calls.hpp"
 
-#include "joint_words.hpp"
+#include "edits/joint_words.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "session.hpp"

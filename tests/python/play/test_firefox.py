@@ -86,7 +86,7 @@ def test_a_page_shared_from_chromium_is_the_same_bits_in_firefox(tmp_path):
         pytest.skip("firefox-esr, xvfb, node or the page is not there: apt-get install, ./dev play")
     pytest.importorskip("websockets")
     script, peptide = (
-        ROOT / "apps/play/test/make_session.mjs",
+        ROOT / "apps/play/test/from_python/make_session.mjs",
         ROOT / "data/molecules/peptide_20.pdb",
     )
     subprocess.run(["node", script, peptide, tmp_path], check=True, capture_output=True)

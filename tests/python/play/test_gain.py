@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-SCRIPT = Path(__file__).resolve().parents[3] / "apps/play/test/gain.mjs"
+SCRIPT = Path(__file__).resolve().parents[3] / "apps/play/test/from_python/gain.mjs"
 
 
 @pytest.mark.skipif(not shutil.which("node"), reason="node is not installed")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 h5py = pytest.importorskip("h5py")
-SCRIPT = Path(__file__).resolve().parents[3] / "apps/play/test/hdf5_values.mjs"
+SCRIPT = Path(__file__).resolve().parents[3] / "apps/play/test/from_python/hdf5_values.mjs"
 pytestmark = pytest.mark.skipif(not shutil.which("node"), reason="node is not installed")
 
 VERSIONS = ["earliest", "v108", "v110", "latest"]

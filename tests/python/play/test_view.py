@@ -214,7 +214,7 @@ def test_a_drag_in_a_notebook_comes_back_to_python(tmp_path):
     file = MOLECULES / "alanine_dipeptide.pdb"
     show = SHOW.format(page=str(BUILT / "pliant.html"), file=str(file))
     write_notebook(tmp_path / "view.ipynb", show, TELL)
-    script = ROOT / "apps/play/test/notebook.mjs"
+    script = ROOT / "apps/play/test/from_python/notebook.mjs"
     with lab(tmp_path) as address:
         words = ["node", script, address, *filter(None, [os.environ.get("PLIANT_PICTURE")])]
         done = subprocess.run(words, capture_output=True, text=True, timeout=200)

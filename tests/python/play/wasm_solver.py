@@ -22,7 +22,7 @@ class Solver:
     """One worker; a context manager."""
 
     def __enter__(self):
-        script = ROOT / "apps" / "play" / "test" / "answer_lines.mjs"
+        script = ROOT / "apps" / "play" / "test" / "from_python" / "answer_lines.mjs"
         self.node = subprocess.Popen(
             ["node", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
         )

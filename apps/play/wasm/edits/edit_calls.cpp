@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "edit_calls.hpp"
+#include "edits/edit_calls.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "joint_words.hpp"
-#include "pair_words.hpp"
+#include "edits/joint_words.hpp"
+#include "edits/pair_words.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "session.hpp"

@@ -5,7 +5,7 @@ import {createRequire} from 'node:module';
 import {dirname, join} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
-export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
+export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..', '..', '..');
 export const built = process.env.PLIANT_PLAY || join(root, 'build', 'play');
 export const require = createRequire(join(root, 'build', 'play', 'package.json'));
 const {chromium} = require('playwright-core');

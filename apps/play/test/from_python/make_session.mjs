@@ -4,7 +4,7 @@
 // session.forces.txt to FOLDER, and session.html, the page that is shared; prints how many steps there were.
 import {copyFileSync, readFileSync} from 'node:fs';
 import {basename, join} from 'node:path';
-import {drag, openPage, quit, saved} from './browser.mjs';
+import {drag, openPage, quit, saved} from '../support/browser.mjs';
 
 const STEPS = 5;
 

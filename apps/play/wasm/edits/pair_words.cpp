@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pair_words.hpp"
+#include "edits/pair_words.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One line that says what to do first. It stands in its own row and goes with the first pull.
-import {$} from './dom.mjs';
+import {$} from '../panel/dom.mjs';
 
 export class Hint {
   constructor(session, stage) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The start scene: a drawn hand pulls an atom out and back, once, by real steps of the solver. Then they
 // are taken back, and the molecule is the user's. Whatever the user does ends it at once.
-import {$} from './dom.mjs';
+import {$} from '../panel/dom.mjs';
 
 const ENDS = ['pointerdown', 'wheel', 'keydown', 'touchstart'];
 const WANDER = 24;  // CSS pixels of a pointer over the picture that count as doing something

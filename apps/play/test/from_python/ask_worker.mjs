@@ -9,7 +9,7 @@ const root = new URL('../../../', import.meta.url);
 export const wasmOfBuild = () => new Uint8Array(readFileSync(new URL('build/play/pliant.wasm', root))).buffer;
 
 export class Solver {
-  #worker = new Worker(new URL('../page/worker.mjs', import.meta.url));
+  #worker = new Worker(new URL('../../page/worker.mjs', import.meta.url));
   #waiting = new Map();
   #next = 1;
 

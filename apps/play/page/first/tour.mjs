@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Six steps through the page, each at its control: it waits until it was done, or for Next. Esc leaves.
-import {$} from './dom.mjs';
+import {$} from '../panel/dom.mjs';
 
 /** `at`: ids of the control, the first that is there; `until`: calls its word once it was done. */
 const STEPS = [

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "why_words.hpp"
+#include "edits/why_words.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pair_words.hpp"
+#include "edits/pair_words.hpp"
 #include "pliant/base/number.hpp"
 
 namespace pliant::play {

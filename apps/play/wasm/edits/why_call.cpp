@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "why_call.hpp"
+#include "edits/why_call.hpp"
 
-#include "joint_words.hpp"
+#include "edits/joint_words.hpp"
 #include "pliant/base/error.hpp"
 #include "session.hpp"
-#include "why_words.hpp"
+#include "edits/why_words.hpp"
 
 namespace pliant::play {
 namespace {

@@ -5,9 +5,9 @@
 //   node apps/play/test/hdf5_values.mjs write FILE N   writes a trajectory of N frames
 import {createHash} from 'node:crypto';
 import {readFileSync, writeFileSync} from 'node:fs';
-import {readDatasets, readTrajectory} from '../page/record/hdf5/h5md_read.mjs';
-import {h5mdFile} from '../page/record/hdf5/h5md_write.mjs';
-import {Hdf5File} from '../page/record/hdf5/read/file.mjs';
+import {readDatasets, readTrajectory} from '../../page/record/hdf5/h5md_read.mjs';
+import {h5mdFile} from '../../page/record/hdf5/h5md_write.mjs';
+import {Hdf5File} from '../../page/record/hdf5/read/file.mjs';
 
 const sha1 = (array) =>
   createHash('sha1').update(new Uint8Array(array.buffer, array.byteOffset, array.byteLength)).digest('hex');
