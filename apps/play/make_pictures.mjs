@@ -4,7 +4,7 @@
 //   node apps/play/make_pictures.mjs FILE.pdb FOLDER
 import {mkdirSync} from 'node:fs';
 import {join} from 'node:path';
-import {openPage, placeOf, quit, settle} from './test/browser.mjs';
+import {openPage, placeOf, quit, settle} from './test/support/browser.mjs';
 
 const [file, folder] = process.argv.slice(2);
 const FRAMES = 40;

@@ -27,7 +27,14 @@ function completed(reply) {
 
 const OPENS = new Set(['open', 'example', 'structgen', 'path']);
 /** Calls after which all is as it was. */
-const QUESTIONS = new Set(['boot', 'sample', 'again', 'forces', 'recorded', 'state', 'path_steps']);
+const QUESTIONS = new Set([
+  'boot', 'sample', 'again', 'forces', 'recorded', 'state', 'path_steps', 'why', 'pair', 'edited', 'select',
+  'ordering', 'force_file', 'step_limit', 'twin', 'twin_step', 'twin_end',
+]);
+const FOREVER = 1e9;  // ms
+
+/** Of a replay that goes on by the clock: the steps that it made. */
+const slice = (what, reply) => (what === 'replay_steps' ? {milliseconds: FOREVER, most: reply.frames.length + Number(reply.over)} : {});
 
 export class Session extends EventTarget {
   constructor() {
@@ -63,28 +70,33 @@ export class Session extends EventTarget {
   /** One request after the other: a reply never belongs to a session that is no more. */
   ask(what, request, transfer) {
     const reply = this.queue.then(() => this.client.ask(what, request, transfer));
-    this.queue = reply.then(() => this.remember(what, request), () => {});
+    this.queue = reply.then((done) => this.remember(what, request, done), () => {});
     return reply;
   }
 
   /** What changed the session, in its order: it can be done once more, to the same bits. */
-  remember(what, request) {
+  remember(what, request, reply) {
     if (OPENS.has(what)) this.asked = [];
-    else if (!QUESTIONS.has(what)) this.asked.push({do: what, ...request});
+    else if (!QUESTIONS.has(what) && !reply.stopped) this.asked.push({do: what, ...request, ...slice(what, reply)});
   }
 
   /** Does again what another session was asked for, and stands where it stood. */
   async repeat(asked, {strokes, pins}) {
     let reply = null;
+    const limit = this.stepLimit;
+    await this.limitSteps(0);  // whatever was done arrived, and does so here however slow this is
     for (const {do: what, ...request} of asked) {
       const {id, ok, ...done} = await this.ask(what, request);
       if (what === 'settings') this.settings = done.settings ?? done;
       else reply = done.frames?.at(-1) ?? done;
       if (reply?.positions) [this.positions, this.step] = [reply.positions, reply.step];
     }
+    await this.limitSteps(limit);
     this.before = null;
     this.strokes = strokes;
     this.pins = new Set(pins);
+    if (asked.some(({do: what}) => what === 'edit' || what === 'replay_steps'))
+      this.tell('edited', this.takeEdited(await this.ask('edited', {})));
     this.tell('settings', this.settings);
     this.tell('pins', this.pins);
   }
@@ -209,6 +221,13 @@ export class Session extends EventTarget {
     this.strokes.push(1);
     this.isSealed = true;  // pulls that go on are no part of it
     this.tell('edited', this.takeEdited(model));
+  }
+
+  /** Edits that a force file has made: each is a stroke of its own. */
+  async tookEdits(count) {
+    if (!count) return;
+    for (let k = 0; k < count; ++k) this.strokes.push(1);
+    this.tell('edited', this.takeEdited(await this.ask('edited', {})));
   }
 
   /** What is there after edits takes the place of what was; the model stays the same object. */

@@ -110,6 +110,7 @@ export class Forces {
     const reply = await this.session.ask('replay_steps', {...SLICE, most});
     this.isBusy = true;
     reply.frames.forEach((frame, k) => this.took(frame, k === reply.frames.length - 1 ? reply : {}));
+    await this.session.tookEdits(reply.edits);
     this.isBusy = false;
     if (this.beside.isOn) this.beside.repeated(reply.frames, reply);
     this.next = reply.next;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Colours of joints. The first eight categories are those of Okabe & Ito (2008), the others were chosen
-// so that all stay apart for each kind of colour vision (test/vision.mjs), the
+// so that all stay apart for each kind of colour vision (test/support/vision.mjs), the
 // scale is cividis (Nunez, Anderton & Renslow 2018): all can be told apart by colour-blind people.
 
 const hex = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));

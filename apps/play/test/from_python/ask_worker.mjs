@@ -3,7 +3,7 @@
 import {readFileSync} from 'node:fs';
 import {Worker} from 'node:worker_threads';
 
-const root = new URL('../../../', import.meta.url);
+const root = new URL('../../../../', import.meta.url);
 
 /** The module that ./dev play has built. */
 export const wasmOfBuild = () => new Uint8Array(readFileSync(new URL('build/play/pliant.wasm', root))).buffer;

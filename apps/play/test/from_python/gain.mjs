@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How far the gain of a hand brings a joint that it pulls on in a run, without run and page. Prints as
 // JSON, for each number of frames a second, how far it came and how far it went beyond.
-//   node apps/play/test/gain.mjs
+//   node apps/play/test/from_python/gain.mjs
 import {Gain} from '../../page/gain.mjs';
 
 const [SECONDS, TARGET, FARTHEST, SHARE, CAP] = [8, 30, 0.9, 0.8, 0.2];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the page reads of an HDF5 file, and what it makes of damaged copies of it, without a page.
-//   node apps/play/test/hdf5_values.mjs values FILE    all groups and datasets, as JSON
-//   node apps/play/test/hdf5_values.mjs damage FILE N  of N copies: what their errors were called
-//   node apps/play/test/hdf5_values.mjs write FILE N   writes a trajectory of N frames
+//   node apps/play/test/from_python/hdf5_values.mjs values FILE    all groups and datasets, as JSON
+//   node apps/play/test/from_python/hdf5_values.mjs damage FILE N  of N copies: what their errors were called
+//   node apps/play/test/from_python/hdf5_values.mjs write FILE N   writes a trajectory of N frames
 import {createHash} from 'node:crypto';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {readDatasets, readTrajectory} from '../../page/record/hdf5/h5md_read.mjs';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pliant.view in JupyterLab: node apps/play/test/notebook.mjs ADDRESS [PICTURE]. ADDRESS is of a
+// pliant.view in JupyterLab: node apps/play/test/from_python/notebook.mjs ADDRESS [PICTURE]. ADDRESS is of a
 // notebook whose first cell shows a view and whose second one writes what it tells. Runs the first,
 // drags a joint, runs the second; prints where the page has the joints, as JSON.
 import {drag, openTab, quit, seenJoint} from '../support/browser.mjs';

@@ -2,9 +2,9 @@
 #include "edits/why_call.hpp"
 
 #include "edits/joint_words.hpp"
+#include "edits/why_words.hpp"
 #include "pliant/base/error.hpp"
 #include "session.hpp"
-#include "edits/why_words.hpp"
 
 namespace pliant::play {
 namespace {

@@ -45,6 +45,11 @@ struct Told {
   Json operator()(const HoldBack& hold) const {
     return {"hold back", number_text(hold.longest_step, 3) + " \u00c5 a step"};
   }
+  Json operator()(const FrameworkEdit& edit) const {
+    const std::string text = text_of(edit, session().framework());
+    const std::string word(name(edit.kind));
+    return {word, text.substr(text.starts_with(word) ? word.size() + 1 : 0)};
+  }
   Json operator()(const StartWalk&) const { return {"start", "made whole"}; }
 };
 
@@ -97,6 +102,11 @@ void add_residuals(Reply& reply, const std::vector<Vec3>& pushed) {
   reply.add("residuals", residuals.all());
 }
 
+std::size_t edits_made() {
+  const auto& edited = session().walk().edited();
+  return edited ? edited->edits.size() : 0;
+}
+
 }  // namespace
 
 Reply force_file(const Request& request) {
@@ -140,6 +150,7 @@ Reply replay_steps(const Request& request) {
   Reply reply;
   reply.fields["frames"] = Json::array();
   std::vector<Vec3> pushed;
+  const std::size_t edits = edits_made();
   for (std::size_t k = 0; k < most && (k == 0 || passed() < milliseconds); ++k) {
     const auto made = replay().step(session());
     if (!made) break;
@@ -151,6 +162,7 @@ Reply replay_steps(const Request& request) {
     reply.add("twin", numbers_of(session().twin->state().positions));
     add_difference(reply);
   }
+  reply.fields["edits"] = edits_made() - edits;
   reply.fields["done"] = replay().done();
   reply.fields["next"] = replay().next();
   reply.fields["over"] = replay().is_over();
