@@ -13,7 +13,7 @@ const STEPS = [
     until: ({session}, done) => session.on('pins', done),
   },
   {
-    name: 'Why', at: ['why-box'], text: 'Hold an atom that does not come along: here stands what holds it. Click a contact to cut it.',
+    name: 'Why', at: ['canvas'], text: 'Keep pulling an atom that does not follow: a box says what holds it. One click there cuts a contact, Undo puts it back.',
     until: ({session}, done) => session.on('why', done),
   },
   {

@@ -74,6 +74,7 @@ export class Why {
     $('why').hidden = false;
     this.light(found);
     this.place();
+    this.session.tell('why', found);
   }
 
   light({lines, loaded, taut}) {

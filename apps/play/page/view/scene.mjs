@@ -8,6 +8,7 @@ import {Arrow} from './arrow.mjs';
 import {Orbit} from './camera.mjs';
 import {DepthLook} from './depth_look.mjs';
 import {Members} from './members.mjs';
+import {nearest, numbersSeen} from './picking.mjs';
 import {Quality, isSoftware} from './quality.mjs';
 import {Ribbon} from './ribbon.mjs';
 import {STYLES} from './styles.mjs';
@@ -268,54 +269,9 @@ export class View {
     const edge = 2 * Math.round(reach) + 1;
     const corner = [x % size.width - (edge - 1) / 2, y - (edge - 1) / 2];
     camera.setViewOffset(size.width, size.height, ...corner, edge, edge);
-    const bytes = this.numbersSeen(edge);
+    const bytes = numbersSeen(this, edge);
     camera.clearViewOffset();
-    return this.nearest(bytes, edge);
-  }
-
-  /** Numbers of joints and bars in a patch of pixels, as colours. */
-  numbersSeen(edge) {
-    const {renderer, patch, uniforms} = this;
-    if (patch.width !== edge) patch.setSize(edge, edge);
-    uniforms.picking.value = 1;
-    uniforms.firstWalker.value = 0;
-    this.count(1);
-    renderer.setRenderTarget(patch);
-    renderer.setClearColor(0, 0);
-    renderer.clear();
-    renderer.render(this.scene, this.orbit.camera);
-    const bytes = new Uint8Array(4 * edge * edge);
-    renderer.readRenderTargetPixels(patch, 0, 0, edge, edge, bytes);
-    renderer.setRenderTarget(null);
-    renderer.setClearColor(this.background, 1);
-    uniforms.picking.value = 0;
-    return bytes;
-  }
-
-  /** What is in the middle of the patch, but for joints near it. */
-  nearest(bytes, edge) {
-    const middle = (edge - 1) / 2;
-    let found = this.meaning(bytes, middle * edge + middle);
-    let least = found?.joint === undefined ? Infinity : 0;
-    for (let k = 0; k < edge * edge; ++k) {
-      const far = Math.hypot(k % edge - middle, Math.floor(k / edge) - middle);
-      if (far >= least || far > middle + 0.5) continue;
-      const here = this.meaning(bytes, k);
-      if (here?.joint === undefined) continue;
-      [found, least] = [here, far];
-    }
-    return found;
-  }
-
-  meaning(bytes, pixel) {
-    const {model} = this;
-    const number = bytes[4 * pixel] + 256 * bytes[4 * pixel + 1] + 65536 * bytes[4 * pixel + 2] - 1;
-    if (number < 0) return null;
-    if (number < model.joints) return {joint: number};
-    const bar = number - model.joints;
-    if (bar < model.bars.length / 2) return {bar};
-    const contact = bar - this.textures.stickCount + model.contacts.length / 2;
-    return contact >= 0 ? {contact, stick: bar} : null;
+    return nearest(this, bytes, edge);
   }
 }
 

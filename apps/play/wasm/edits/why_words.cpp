@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "edits/pair_words.hpp"
+#include "edits/ring_words.hpp"
 #include "pliant/base/number.hpp"
 
 namespace pliant::play {
@@ -92,7 +93,8 @@ std::string HeldWords::own_shape() const {
   if (held.taut)
     return "at the end of its reach: taut from " + start.atoms.label(held.taut->joints.back()) +
            " to " + start.atoms.label(held.taut->joints.front());
-  return "";
+  const std::string ring = ring_text(start, joint);
+  return ring.empty() ? "" : "part of " + ring;
 }
 
 /// Only where it says more than that two atoms are bonded.

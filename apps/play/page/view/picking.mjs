@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What a patch of the picture shows: each joint, bar and contact is drawn in the colour of its number.
+
+/** Numbers of joints and bars in a patch of pixels, as colours. */
+export function numbersSeen(view, edge) {
+  const {renderer, patch, uniforms} = view;
+  if (patch.width !== edge) patch.setSize(edge, edge);
+  uniforms.picking.value = 1;
+  uniforms.firstWalker.value = 0;
+  view.count(1);
+  renderer.setRenderTarget(patch);
+  renderer.setClearColor(0, 0);
+  renderer.clear();
+  renderer.render(view.scene, view.orbit.camera);
+  const bytes = new Uint8Array(4 * edge * edge);
+  renderer.readRenderTargetPixels(patch, 0, 0, edge, edge, bytes);
+  renderer.setRenderTarget(null);
+  renderer.setClearColor(view.background, 1);
+  uniforms.picking.value = 0;
+  return bytes;
+}
+
+/** What is in the middle of the patch, but for joints near it. */
+export function nearest(view, bytes, edge) {
+  const middle = (edge - 1) / 2;
+  let found = meaning(view, bytes, middle * edge + middle);
+  let least = found?.joint === undefined ? Infinity : 0;
+  for (let k = 0; k < edge * edge; ++k) {
+    const far = Math.hypot(k % edge - middle, Math.floor(k / edge) - middle);
+    if (far >= least || far > middle + 0.5) continue;
+    const here = meaning(view, bytes, k);
+    if (here?.joint === undefined) continue;
+    [found, least] = [here, far];
+  }
+  return found;
+}
+
+function meaning(view, bytes, pixel) {
+  const {model} = view;
+  const number = bytes[4 * pixel] + 256 * bytes[4 * pixel + 1] + 65536 * bytes[4 * pixel + 2] - 1;
+  if (number < 0) return null;
+  if (number < model.joints) return {joint: number};
+  const bar = number - model.joints;
+  if (bar < model.bars.length / 2) return {bar};
+  const contact = bar - view.textures.stickCount + model.contacts.length / 2;
+  return contact >= 0 ? {contact, stick: bar} : null;
+}
