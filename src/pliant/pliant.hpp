@@ -65,6 +65,7 @@
 #include "pliant/framework/contact_kind_rows.hpp"  // kinds of molecular contacts
 #include "pliant/framework/course.hpp"             // the way of a push that is no straight line
 #include "pliant/framework/disturbed.hpp"          // what a resolve has to look at
+#include "pliant/framework/edits.hpp"              // bars and contacts cut, added and restored
 #include "pliant/framework/fingerprint.hpp"        // whether two mean the same atoms
 #include "pliant/framework/frame.hpp"              // what a step shows
 #include "pliant/framework/framework.hpp"          // Framework, State

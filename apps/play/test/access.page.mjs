@@ -37,7 +37,7 @@ async function walk() {
     const found = await page.evaluate(() => {
       const at = document.activeElement;
       const drawn = at.matches('.unseen, .segments input') ? at.nextElementSibling ?? at.parentElement : at;
-      const style = getComputedStyle(at.matches('#file, #path-file') ? document.querySelector(`label[for=${at.id}].button`) : drawn);
+      const style = getComputedStyle(at.matches('input[type=file]') ? document.querySelector(`label[for=${at.id}].button`) : drawn);
       const key = at === document.body ? '' : at.id || at.value || at.textContent.trim();
       return {key, outline: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) > 0};
     });

@@ -134,11 +134,12 @@ test('a key and a double click zoom to fit a bar', async () => {
   const {far, x, y} = await span(5);
   assert.ok(Math.abs(far - 0.35) < 0.02, `${far}`);
   assert.ok(Math.abs(x - 0.5) < 0.01 && Math.abs(y - 0.5) < 0.01, `${x} ${y}`);
-  await page.evaluate(() => P.view.setLit({bar: -1}));
+  await page.evaluate(() => { P.view.setLit({bar: -1}); P.hint.done(); });  // its row would go between two clicks
   await page.click('#fit');
   const box = await page.locator('#canvas').boundingBox();
   const joint = await page.evaluate(() => { for (let j = 0; ; ++j) { const {x: px, y: py} = P.view.orbit.project([...P.session.positions.subarray(3 * j, 3 * j + 3)]); if (P.view.pick(px, py)?.joint === j) return {x: px, y: py, bar: P.session.model.bars.indexOf(j) >> 1}; } });
   await page.mouse.dblclick(box.x + joint.x, box.y + joint.y);
-  assert.ok(Math.abs((await span(joint.bar)).far - 0.35) < 0.02);
+  const {far: again} = await span(joint.bar);
+  assert.ok(Math.abs(again - 0.35) < 0.02, `${again} ${await page.textContent('#said')}`);
 });
 });

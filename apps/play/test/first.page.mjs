@@ -35,7 +35,7 @@ test('one drag, as the hint says, of any atom moves it, and the hint is gone', a
   const words = (await page.textContent('#hint-text')).match(/^Drag any (atom|joint)$/);
   assert.ok(words && await page.isVisible('#hint'));
   const count = await page.evaluate(() => P.session.model.joints);
-  const joint = await seenJoint(page, Math.floor(count / 9));
+  const joint = await seenJoint(page, Math.floor(count / 100));
   const place = (k) => page.evaluate((j) => [...P.session.positions.subarray(3 * j, 3 * j + 3)], k);
   const start = await place(joint);
   const {release} = await drag(page, joint, 70, 50, {steps: 6});

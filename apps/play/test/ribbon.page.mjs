@@ -99,6 +99,7 @@ test('an atom that is held by its ribbon is pulled', async () => {
 test('a frame is at most four draw calls in each style, also of several walkers', async () => {
   const calls = await page.evaluate(() => {
     const {view} = P;
+    P.why.close();  // what holds a pull is drawn over all
     const found = {};
     const {info} = view.renderer;
     info.autoReset = false;

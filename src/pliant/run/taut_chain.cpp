@@ -18,9 +18,9 @@ constexpr double least_along = 0.8;    // cosine of the chain and the pull
 struct Stretched {
   Joint before = 0;
   std::size_t bars = 0;
-  double x = 0.0, y = 0.0;  ///< in the plane of the all-trans chain
-  double angle = 0.0;       ///< of the last bond
-  double side = 1.0;        ///< on which it turns next
+  double x = 0.0, y = 0.0;              ///< in the plane of the all-trans chain
+  double along_x = 1.0, along_y = 0.0;  ///< of the last bond, there
+  double side = 1.0;                    ///< on which it turns next
 };
 
 class Stretching {
@@ -41,7 +41,7 @@ class Stretching {
       if (chain.bars == unreached || chain.bars < least_bars) continue;
       const Vec3 apart = x_[joint_] - x_[end];
       const double length = norm(apart);
-      const double reach = length / std::hypot(chain.x, chain.y);
+      const double reach = length / std::sqrt(chain.x * chain.x + chain.y * chain.y);
       if (reach < least_reach || dot(apart, along) < least_along * length) continue;
       if (length <= furthest) continue;
       furthest = length;
@@ -87,15 +87,17 @@ class Stretching {
   Stretched stretched(Joint here, Joint next, double length) const {
     const Stretched& last = found_[here];
     Stretched chain{here, last.bars + 1};
-    double bend = 0.0;
+    double cosine = 1.0;  // of the bend
     if (last.bars > 0 && has_bar(last.before, next)) {
       const Vec3 to = x_[next] - x_[here], from = x_[here] - x_[last.before];
-      bend = std::acos(std::clamp(dot(to, from) / (norm(to) * norm(from)), -1.0, 1.0));
+      cosine = std::clamp(dot(to, from) / (norm(to) * norm(from)), -1.0, 1.0);
     }
-    chain.angle = last.angle + last.side * bend;
+    const double sine = last.side * std::sqrt(1.0 - cosine * cosine);
+    chain.along_x = cosine * last.along_x - sine * last.along_y;
+    chain.along_y = sine * last.along_x + cosine * last.along_y;
     chain.side = -last.side;
-    chain.x = last.x + length * std::cos(chain.angle);
-    chain.y = last.y + length * std::sin(chain.angle);
+    chain.x = last.x + length * chain.along_x;
+    chain.y = last.y + length * chain.along_y;
     return chain;
   }
 

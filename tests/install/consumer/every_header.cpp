@@ -25,6 +25,7 @@
 #include "pliant/framework/contact_kind_rows.hpp"
 #include "pliant/framework/course.hpp"
 #include "pliant/framework/disturbed.hpp"
+#include "pliant/framework/edits.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
@@ -253,6 +254,7 @@ const Use uses[] = {
     of("pliant/framework/measures/neighbour_list.hpp", &NeighbourList::update),
     of_type<Course>("pliant/framework/course.hpp"),
     of_type<Disturbed>("pliant/framework/disturbed.hpp"),
+    of("pliant/framework/edits.hpp", &edited),
     of("pliant/framework/measures/feasibility.hpp", &impossible_triangles),
     of("pliant/framework/frame.hpp", overload<std::string_view(Stop)>(&name)),
     of_type<State>("pliant/framework/framework.hpp"),

@@ -27,7 +27,7 @@ def test_a_turn_is_found_with_its_axis(angle):
     about = np.array([3.0, -2.0, 1.0])
     frames = np.array([start] * 3)
     frames[1, domain] = rotated(start[domain], angle / 2, about)
-    frames[2, domain] = rotated(start[domain], angle, about) + [0, 0, 1.5]
+    frames[2, domain] = rotated(start[domain], angle, about) + np.array([0, 0, 1.5])
     found = largest_turn(frames, ~domain, domain)
     assert (found.before, found.after) == (0, 2)
     assert found.angle == pytest.approx(angle, abs=1e-6)

@@ -6,7 +6,11 @@ import {$} from '../panel/dom.mjs';
 const STEPS = [
   {
     name: 'Pull', at: ['canvas'], text: 'Drag any atom. All bonds, rings and contacts hold while it follows.',
-    until: ({session}, done) => session.on('released', done),
+    until: ({session}, done) => {
+      let pulled = false;
+      session.on('step', ({forces}) => { pulled ||= forces?.length > 0; });
+      session.on('released', () => { if (pulled) done(); pulled = false; });
+    },
   },
   {
     name: 'Pin', at: ['tools'], text: 'Choose Pin and click an atom: it stays where it is. Then choose Pull and drag another one.',

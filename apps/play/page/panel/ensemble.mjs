@@ -87,7 +87,7 @@ export class Ensemble {
     const {of, stage} = this;
     stage.fluctuation = of.fluctuation;
     this.domains.open(of.found, (number) => this.indexOf(number), (index) => this.show(index));
-    if (!this.domains.count && stage.colouring === 'element') this.look.setColouring('mobility');
+    if (!this.domains.count && !this.look.ownColouring) this.look.setColouring('mobility');
     this.drawChain();
     stage.look();
     this.order(of.films ? 'along' : 'file');

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "edits/joint_words.hpp"
 #include "edits/pair_words.hpp"

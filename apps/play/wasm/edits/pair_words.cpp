@@ -2,6 +2,8 @@
 #include "edits/pair_words.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace pliant::play {
 namespace {

@@ -2,6 +2,8 @@
 #include "edits/ring_words.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace pliant::play {
 namespace {

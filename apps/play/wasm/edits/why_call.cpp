@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "edits/why_call.hpp"
 
+#include <span>
+#include <vector>
+
 #include "edits/joint_words.hpp"
 #include "edits/why_words.hpp"
 #include "pliant/base/error.hpp"

@@ -6,9 +6,9 @@
 
 namespace pliant::play {
 
-/// Of a `joint` that is drawn to `target` by `share` of the way, `furthest` Angstrom a step:
-/// `said`, one sentence or more, and `lines`, each with what holds, its joints and whether it can
-/// be cut. Nothing changes.
+/// Answers for a `joint` that is drawn to `target` by `share` of the way, at most `furthest`
+/// Angstrom a step: `said`, one sentence or more, and `lines`, each with what holds, its joints and
+/// whether it can be cut. Nothing changes.
 Reply why(const Request& request);
 
 }  // namespace pliant::play

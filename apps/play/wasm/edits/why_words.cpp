@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "edits/pair_words.hpp"
 #include "edits/ring_words.hpp"
