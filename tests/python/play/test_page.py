@@ -52,7 +52,8 @@ def node(script, *words, timeout):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("tests", ["open", "hand", "live", "bits", "page", "record", "resolve"])
+# What each file of tests does, by the word that chooses it.
+@pytest.mark.parametrize("tests", sorted(file.name[:-4] for file in TESTS.glob("*.page.mjs")))
 def test_what_a_person_does(tests):
     done = node("run.mjs", tests, timeout=300)
     assert done.returncode == 0, done.stdout[-4000:]
@@ -69,7 +70,7 @@ def session(tmp_path_factory):
 
 
 def made(molecule, folder, *settings):
-    done = node("make_session.mjs", molecule, folder, *settings, timeout=280)
+    done = node("from_python/make_session.mjs", molecule, folder, *settings, timeout=280)
     assert done.returncode == 0, done.stderr[-4000:]
     return folder, json.loads(done.stdout)
 
