@@ -132,9 +132,14 @@ std::string HeldWords::said() const {
   const bool frees_nothing = held.is_tried && has_removable() && !held.frees();
   const std::string by = carried(frees_nothing ? Which::lasting : Which::all);
   if (!by.empty()) text += (text.empty() ? "held by " : ", held by ") + by;
-  if (!text.empty()) return name + " is " + text + "." + trial();
-  return name + " is held by its own bonds and angles: they drag the weight of " +
-         number_text(std::round(1.0 / std::max(held.yields, 1e-6)), 3) + " atoms along." + trial();
+  if (text.empty())
+    return name + " is held by its own bonds and angles: they drag the weight of " +
+           number_text(std::round(1.0 / std::max(held.yields, 1e-6)), 3) + " atoms along." +
+           trial();
+  const bool is_alone = by.empty() && !held.taut;
+  const std::string alone =
+      is_alone ? " No contact or pin carries as much as a twentieth of the pull." : "";
+  return name + " is " + text + "." + alone + trial();
 }
 
 }  // namespace pliant::play
