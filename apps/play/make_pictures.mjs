@@ -3,7 +3,7 @@
 // FOLDER/NNN.png; data/play_picture.py makes a still and an animation of them.
 //   node apps/play/make_pictures.mjs FILE.pdb FOLDER
 import {mkdirSync} from 'node:fs';
-import {join} from 'node:path';
+import {basename, join} from 'node:path';
 import {openPage, placeOf, quit, settle} from './test/support/browser.mjs';
 
 const [file, folder] = process.argv.slice(2);
@@ -13,8 +13,13 @@ const REACH = 150;  // how far the pointer goes, CSS pixels
 mkdirSync(folder, {recursive: true});
 const page = await openPage({viewport: {width: 1100, height: 680}});
 await page.setInputFiles('#file', file);
-await page.waitForFunction(() => window.P.session.model?.joints > 100, null, {timeout: 120000});
-await page.selectOption('#technique', 'auto');
+await page.waitForFunction((name) => window.P.session.fileName === name, basename(file), {timeout: 120000});
+await page.evaluate(() => {
+  const {quality} = P.view;
+  quality.isFixed = true;  // as a graphics processor would draw it, also while it moves
+  quality.use(0);
+  P.hint.done();
+});
 await settle(page);
 
 /** A joint that nothing hides, furthest to the right. */
