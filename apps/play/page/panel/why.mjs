@@ -39,7 +39,7 @@ export class Why {
     const far = this.asked ? Math.hypot(...now.map((x, c) => x - this.asked.now[c])) : Infinity;
     if (far < ASK_AGAIN * view.unit || this.asking) return undefined;
     this.asked = {joint, now};
-    return guarded(() => this.ask(pull));
+    return guarded(() => this.ask(pull, false));
   }
 
   /** For the joint that is held or chosen, along the last pull: by a key. */
@@ -47,11 +47,12 @@ export class Why {
     return guarded(() => this.ask({joint, target, ...this.hand.pace()}));
   }
 
-  async ask(pull) {
+  /** A joint that was slow but is not held is told of where a person has asked. */
+  async ask(pull, isAsked = true) {
     this.asking = true;
     try {
       const {id, ok, ...found} = await this.session.ask('why', pull);
-      this.show(pull.joint, found);
+      if (isAsked || found.isHeld) this.show(pull.joint, found);
     } finally {
       this.asking = false;
     }

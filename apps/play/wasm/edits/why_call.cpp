@@ -50,10 +50,10 @@ Reply why(const Request& request) {
   const Document shown = session().shown();
   const HeldWords words{session().document(), shown, session().framework(), hand.joint, held};
   Reply reply;
-  reply.fields = {{"said", words.said()},   {"lines", rows_of(words.lines())},
-                  {"yields", held.yields},  {"tried", held.is_tried},
-                  {"frees", held.frees()},  {"asItIs", held.as_it_is},
-                  {"without", held.without}};
+  reply.fields = {{"said", words.said()},      {"lines", rows_of(words.lines())},
+                  {"isHeld", words.is_held()}, {"yields", held.yields},
+                  {"tried", held.is_tried},    {"frees", held.frees()},
+                  {"asItIs", held.as_it_is},   {"without", held.without}};
   if (held.taut) reply.fields["taut"] = {{"joints", held.taut->joints}};
   const std::vector<std::int32_t> loaded(held.loaded.begin(), held.loaded.end());
   reply.add("loaded", std::span<const std::int32_t>(loaded));

@@ -121,11 +121,12 @@ std::string HeldWords::trial() const {
          ", but cutting that does not free it.";
 }
 
+bool HeldWords::is_held() const { return held.is_pinned || held.as_it_is <= not_held; }
+
 std::string HeldWords::said() const {
   const std::string name = start.atoms.label(joint);
   if (held.is_pinned) return name + " is pinned.";
-  if (held.as_it_is > not_held)
-    return name + " is not held: it gets on by " + length_text(held.as_it_is) + ".";
+  if (!is_held()) return name + " is not held: it moves on by " + length_text(held.as_it_is) + ".";
   std::string text = own_shape();
   if (const std::string rigid = cluster(); !rigid.empty())
     text += (text.empty() ? "" : "; ") + rigid;

@@ -31,6 +31,8 @@ struct HeldWords {
 
   std::vector<HolderLine> lines() const;
   std::string said() const;
+  /// Whether it gets no further in the trial steps than what counts as held.
+  bool is_held() const;
 
  private:
   /// What carries the pull: all of it, what can be taken away, or what cannot.
