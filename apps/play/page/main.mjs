@@ -187,4 +187,13 @@ async function begin() {
   return {...parts, costs, facts, say, palettes: () => palettes(parts.stage.model, COLOURS)};
 }
 
-window.pliant = guarded(begin);
+/** The hint is to be read before the solver is unpacked. A page that nobody sees is not painted. */
+const painted = () => new Promise((done) => {
+  requestAnimationFrame(() => setTimeout(done));
+  setTimeout(done, 200);
+});
+
+window.pliant = guarded(async () => {
+  await painted();
+  return begin();
+});
