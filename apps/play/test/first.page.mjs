@@ -65,7 +65,7 @@ test('a hand pulls an atom by steps of the solver, once, and takes them back to 
   }));
   assert.equal(during.converged, true);
   assert.ok(during.residual <= 1e-6 && during.moved > 0.01, JSON.stringify(during));
-  await page.waitForFunction(() => P.demo.isOver && !P.session.strokes.length);
+  await page.waitForFunction(() => P.demo.isOver && !P.session.strokes.length && P.stage.frames.length === 1);
   assert.equal(await page.isVisible('#demo-hand'), false);
   assert.deepEqual(await page.evaluate(() => [...P.session.positions]), start);
   assert.equal(await page.evaluate(() => P.stage.frames.length), 1);
