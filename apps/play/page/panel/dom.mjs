@@ -56,3 +56,12 @@ export async function guarded(action) {
     return undefined;
   }
 }
+
+/** Hands name and bytes of a file that is chosen to `open`. */
+export function whenChosen(id, open) {
+  $(id).onchange = () => {
+    const [file] = $(id).files;
+    $(id).value = '';
+    return file && guarded(async () => open(file.name, new Uint8Array(await file.arrayBuffer())));
+  };
+}

@@ -7,7 +7,7 @@ import {endsOf, Hinges} from '../view/hinges.mjs';
 const list = (words) => (words.length < 2 ? words.join('') : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`);
 
 /** "Turns by 70° and shifts by 1.2 Å; hinges at ILE116 and ARG165". */
-export function turnWords({angle, shift, hinges}) {
+function turnWords({angle, shift, hinges}) {
   const parts = [`Turns by ${Math.round(angle)}°`];
   if (Math.abs(shift) >= 0.5) parts.push(`and shifts by ${Math.abs(shift).toFixed(1)} Å along the axis`);
   if (hinges.length) parts.push(`about ${hinges.length === 1 ? 'the hinge' : 'the hinges'} ${list(hinges)}`);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A force file: its pushes as a list, repeated on the molecule that is open, step by step, to the bits of
 // `pliant run --forces`; and repeated under other techniques, counted.
-import {$, element, fillSelect, guarded, say, shortNumber, units} from './dom.mjs';
+import {$, element, fillSelect, guarded, say, shortNumber, units, whenChosen} from './dom.mjs';
 
 const SLICE = {milliseconds: 30, most: 50};  // of a replay between two frames of the screen
 const WORDS = {pull: 'force', wander: 'random push', set: 'set', pin: 'pin', 'hold back': 'hold back', start: 'start'};
@@ -21,7 +21,7 @@ export class Forces {
   constructor(session, stage, beside) {
     Object.assign(this, {session, stage, beside});
     this.runs = [];
-    $('forces-file').onchange = () => this.chosen();
+    whenChosen('forces-file', (name, bytes) => this.open(name, bytes));
     $('forces-play').onclick = () => guarded(() => this.play(!this.isPlaying));
     $('forces-step').onclick = () => guarded(() => this.advance(1));
     $('forces-again').onclick = () => guarded(() => this.repeat(null));
@@ -40,12 +40,6 @@ export class Forces {
 
   other() {
     return {technique: $('forces-other').value, weighting: Number($('forces-weighting').value)};
-  }
-
-  chosen() {
-    const [file] = $('forces-file').files;
-    $('forces-file').value = '';
-    return file && guarded(async () => this.open(file.name, new Uint8Array(await file.arrayBuffer())));
   }
 
   async open(name, bytes) {

@@ -44,15 +44,10 @@ function paintBar(colourAt) {
 }
 
 function barOf(colouring, model) {
-  if (colouring === 'contacts') return paintBar((share) => mixed(TAUTNESS, share));
-  if (colouring !== 'cluster') return paintBar(scaleColour);
+  if (colouring === 'contacts') return paintBar((share) => scaleColour(share, TAUTNESS));
+  if (colouring !== 'cluster') return paintBar((share) => scaleColour(share));
   const colours = clusterColours(model);
   return colours.length ? paintBar((share) => colours[Math.floor(share * colours.length)]) : undefined;
-}
-
-function mixed(stops, share) {
-  const at = share * (stops.length - 1), k = Math.min(Math.floor(at), stops.length - 2);
-  return stops[k].map((from, c) => Math.round(from + (stops[k + 1][c] - from) * (at - k)));
 }
 
 function clusterWords({rigidClusters, colouredClusters}) {

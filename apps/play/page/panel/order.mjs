@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The order in which a sweep visits the bars (the thesis' constraint file): of a file, or of a technique;
 // shown bar after bar, and saved.
-import {$, element, guarded, say, units} from './dom.mjs';
+import {$, element, guarded, say, units, whenChosen} from './dom.mjs';
 import {download} from './transport.mjs';
 
 const MOST_ROWS = 2000;
@@ -10,18 +10,12 @@ export class Order {
   constructor(session, stage, view) {
     Object.assign(this, {session, stage, view});
     this.visits = null;
-    $('order-file').onchange = () => this.chosen();
+    whenChosen('order-file', (name, bytes) => this.open(name, bytes));
     $('order-of').onclick = () => guarded(() => this.ofTechnique());
     $('order-save').onclick = () => guarded(() => this.save());
     $('order-at').oninput = () => this.light(Number($('order-at').value));
     stage.on('began', () => this.clear());
     session.on('step', () => this.visits && this.light(0));
-  }
-
-  chosen() {
-    const [file] = $('order-file').files;
-    $('order-file').value = '';
-    return file && guarded(async () => this.open(file.name, new Uint8Array(await file.arrayBuffer())));
   }
 
   /** From now on technique `input` visits the bars by the file. */

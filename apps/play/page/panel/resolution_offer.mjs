@@ -23,7 +23,7 @@ const button = (text, action) => {
 };
 
 /** Why this technique cannot be watched on this model; "" where it can. */
-export function reasonNot(session) {
+function reasonNot(session) {
   const {technique} = session.settings;
   const row = session.facts?.techniques.find(({name}) => name === technique);
   if (!session.model || !row) return '';

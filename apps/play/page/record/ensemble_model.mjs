@@ -32,7 +32,7 @@ function residueValues({atom_name: atoms, residue_of: of, residue_name: names, .
 }
 
 /** A frame (x, y, z of each atom) as the one model of an mmCIF file. */
-export function cifText({topology, elements}, positions) {
+function cifText({topology, elements}, positions) {
   const residues = residueValues(topology);
   const lines = topology.atom_name.map((name, k) => {
     const {group, before, after} = residues[topology.residue_of[k]];

@@ -45,7 +45,7 @@ const dot = (a, b) => {
 };
 
 /** The direction of the largest motion by the power method: {along (of each frame), share}. */
-export function largestMotion(rows) {
+function largestMotion(rows) {
   let axis = rows.reduce((most, row) => (dot(row, row) > dot(most, most) ? row : most));
   let along = [];
   for (let round = 0; round < ROUNDS; ++round) {

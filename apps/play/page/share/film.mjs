@@ -12,7 +12,7 @@ function checked(stage) {
 }
 
 /** Frames of the loop: there and back, none twice in a row. */
-export function loopOf(length, most = MOST_FRAMES) {
+function loopOf(length, most = MOST_FRAMES) {
   const count = Math.min(length, most);
   const there = Array.from({length: count}, (_, k) => Math.round(k * (length - 1) / (count - 1)));
   return [...there, ...there.slice(1, -1).reverse()];

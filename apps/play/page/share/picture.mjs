@@ -25,7 +25,7 @@ export function pixelsOf(view, width, height) {
 }
 
 /** Colours and opacity from the pictures on black and on white. */
-export function withoutGround(black, white) {
+function withoutGround(black, white) {
   const [a, b] = [black.data, white.data];
   for (let k = 0; k < a.length; k += 4) {
     const ground = Math.max(b[k] - a[k], b[k + 1] - a[k + 1], b[k + 2] - a[k + 2], 0);

@@ -30,11 +30,11 @@ const QUIET = hex('#aeb6be');
 export const elementColour = (number) => hex(ELEMENTS[number] ?? OTHER);
 export const vanDerWaals = (number) => RADII[number] ?? 1.8;
 
-/** Colour of `share` from 0 to 1 on cividis, as [r, g, b] of 255. */
-export function scaleColour(share) {
-  const at = Math.min(Math.max(share, 0), 1) * (CIVIDIS.length - 1);
-  const k = Math.min(Math.floor(at), CIVIDIS.length - 2);
-  return CIVIDIS[k].map((from, c) => Math.round(from + (CIVIDIS[k + 1][c] - from) * (at - k)));
+/** Colour of `share` from 0 to 1 on a scale of colours, cividis where none is given, as [r, g, b] of 255. */
+export function scaleColour(share, stops = CIVIDIS) {
+  const at = Math.min(Math.max(share, 0), 1) * (stops.length - 1);
+  const k = Math.min(Math.floor(at), stops.length - 2);
+  return stops[k].map((from, c) => Math.round(from + (stops[k + 1][c] - from) * (at - k)));
 }
 
 /** The same for all walkers: of 1e-4 of a length and less, to a tenth of it. */

@@ -7,7 +7,7 @@ import {
 
 const UP = new Vector3(0, 1, 0);
 /** Holders, the chain that is taut and the bars that carry the pull; radii in Angstrom. */
-export const SORTS = {
+const SORTS = {
   holder: {colour: '#d55e00', radius: 0.17, opacity: 1},
   taut: {colour: '#0072b2', radius: 0.13, opacity: 0.9},
   loaded: {colour: '#0072b2', radius: 0.07, opacity: 0.5},

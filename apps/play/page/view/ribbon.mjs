@@ -18,7 +18,7 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const at = (positions, joint) => [...positions.subarray(3 * joint, 3 * joint + 3)];
 
 /** Chains without gaps: lists of CA or P, of two and more. */
-export function runsOf(model, positions) {
+function runsOf(model, positions) {
   const runs = [[]];
   for (const joint of model.trace) {
     const last = runs.at(-1).at(-1);

@@ -103,6 +103,7 @@ export function seenJoint(page, skip = 0) {
 /** Drags a joint by the mouse; waits for so many steps of the solver on the way. `corner`: of the
  * frame that the page is in, in the tab whose mouse it is. */
 export async function drag(page, joint, dx, dy, {steps = 6, mouse = page.mouse, corner = {x: 0, y: 0}} = {}) {
+  await settle(page);  // the first pull takes the hint's row away, and the picture grows
   const place = await placeOf(page, joint);
   const from = {x: corner.x + place.x, y: corner.y + place.y};
   await mouse.move(from.x, from.y);

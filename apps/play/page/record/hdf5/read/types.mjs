@@ -5,7 +5,6 @@ import {Cursor, Damaged, Outside, Source, expect, textOf} from './source.mjs';
 const CLASSES = ['integers', 'floats', 'times', 'texts', 'bit fields', 'opaque values', 'compounds',
   'references', 'enumerations', 'sequences of any length', 'arrays'];
 const MOST_RANK = 32;
-export const UNLIMITED = Infinity;
 
 /** Extents of a dataspace: [] of a single value, null where there is none. */
 export function shapeOf(body) {
