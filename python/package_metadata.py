@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """What a package index shows of README.md, and the addresses beside it.
 
-Called by the build (``[tool.scikit-build.metadata]`` in pyproject.toml) when an sdist or a wheel gets
-its metadata. ``[tool.pliant]`` there holds the address of the repository, and nothing else does. In the
-repository links are relative, so that they work on disk; on an index they begin with the address.
-While there is no address, a link is its text and the file that it names, and pictures are left out.
+Called by the build (``[tool.scikit-build.metadata]`` in pyproject.toml) when an sdist or a wheel
+gets its metadata. ``[tool.pliant]`` there holds the address of the repository, and nothing else
+does. In the repository links are relative, so that they work on disk; on an index they begin with
+the address. While there is no address, a link is its text and the file that it names, and pictures
+are left out.
 """
 
 import re
@@ -98,7 +99,4 @@ def dynamic_metadata(
         return urls(repository())
     if field != "readme":
         raise ValueError(f"{field}: only the readme and the addresses are made here")
-    return {
-        "content-type": "text/markdown",
-        "text": readme(repository(), str(project["version"])),
-    }
+    return {"content-type": "text/markdown", "text": readme(repository(), str(project["version"]))}

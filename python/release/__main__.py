@@ -24,7 +24,9 @@ MOST_DETAILS = 12
 
 def show(check: checks.Check, result: checks.Result) -> None:
     """One row, and what was found."""
-    print(f"  {check.name:<12}{'passed' if result.passed else 'FAILED':<8}{result.text}", flush=True)
+    print(
+        f"  {check.name:<12}{'passed' if result.passed else 'FAILED':<8}{result.text}", flush=True
+    )
     for line in result.details[:MOST_DETAILS]:
         print(f"      {line}")
     if len(result.details) > MOST_DETAILS:

@@ -7,7 +7,9 @@ import re
 
 from project import Project
 
-PLACEHOLDER = re.compile(r"(?:https?://|git@)[\w.-]*\bexample(?:\.(?:com|org|net))?(?=[/\s:\"')>]|$)")
+PLACEHOLDER = re.compile(
+    r"(?:https?://|git@)[\w.-]*\bexample(?:\.(?:com|org|net))?(?=[/\s:\"')>]|$)"
+)
 OF_TESTS = re.compile(r"tests/|.*/tests?/")  # which need addresses that lead nowhere
 TEXT = (".md", ".py", ".toml", ".yml", ".yaml", ".cff", ".ipynb", ".cpp", ".hpp", ".mjs", ".js")
 

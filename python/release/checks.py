@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import addresses
@@ -27,7 +27,7 @@ class Result(NamedTuple):
 
     passed: bool
     text: str
-    details: list[str] = []
+    details: Sequence[str] = ()
 
 
 class Check(NamedTuple):
@@ -45,9 +45,7 @@ def _of(problems: list[str], passed: str) -> Result:
 
 def tree(project: Project) -> Result:
     """All that is released is in the commit."""
-    return _of(
-        [f"{name}: not in the commit" for name in project.changed()], project.commit()[:12]
-    )
+    return _of([f"{name}: not in the commit" for name in project.changed()], project.commit()[:12])
 
 
 def version(project: Project) -> Result:

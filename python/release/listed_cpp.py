@@ -10,7 +10,7 @@ from project import ROOT, Project
 
 sys.path.insert(0, str(ROOT / "docs" / "tools"))
 
-import headers  # noqa: E402
+import headers
 
 PRIVATE = re.compile(r"\bnamespace detail\b")
 TYPE = re.compile(r"(?:template ?<.*?> ?)?(?:class|struct|enum class|enum) (?:\[\[\w+\]\] )?(\w+)")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The Python interface as lines: names without an underscore, with their parameters.
 
-They are read from the committed reference, which a test compares with the package. Types are not part
-of the promise, for they only get wider: parameters, their order and their defaults are.
+They are read from the committed reference, which a test compares with the package. Types are not
+part of the promise, for they only get wider: parameters, their order and their defaults are.
 """
 
 from __future__ import annotations
