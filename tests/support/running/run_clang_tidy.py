@@ -50,7 +50,7 @@ def main() -> int:
     parser.add_argument("build", type=Path)
     parser.add_argument("parts", nargs="*", metavar="PART")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--program", default="clang-tidy-14")
+    parser.add_argument("--program", default="clang-tidy")
     options = parser.parse_args()
     files = sources(options.build, options.parts)
     known: dict[str, None] = {}
