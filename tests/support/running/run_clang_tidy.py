@@ -3,9 +3,9 @@
 
     run_clang_tidy.py BUILD [--jobs N] [PART...]
 
-BUILD holds compile_commands.json of a build that is not a unity build and has no precompiled
-headers. Files whose path has one of the PARTs in it are looked at, all if none is given. What is in
-a header is said once.
+BUILD holds compile_commands.json of a build without precompiled headers. One that compiles files in
+batches (PLIANT_UNITY) takes a fifth of the time: most of it is spent on headers. Files of it whose
+path has one of the PARTs in it are looked at, all if none is given. What is in a header is said once.
 """
 
 from __future__ import annotations
@@ -19,15 +19,13 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-FOLDERS = ("src", "apps")
 FINDING = re.compile(r"^/.*:\d+:\d+: (warning|error): ")
 
 
 def sources(build: Path, parts: list[str]) -> list[str]:
-    """The compiled files of our folders, each once."""
+    """The files that are compiled, each once."""
     commands = json.loads((build / "compile_commands.json").read_text())
-    ours = tuple(f"{ROOT / folder}/" for folder in FOLDERS)
-    found = sorted({row["file"] for row in commands if row["file"].startswith(ours)})
+    found = sorted({row["file"] for row in commands})
     return [file for file in found if not parts or any(part in file for part in parts)]
 
 
