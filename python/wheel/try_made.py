@@ -26,7 +26,18 @@ def run(*words: object, folder: Path) -> None:
 def fitting_wheel(python: Path, wheels: Path, folder: Path) -> Path:
     """The wheel that pip takes for this Python, copied into a folder."""
     source = ("--no-index", "--no-deps", "--find-links", wheels)
-    run(python, "-m", "pip", "download", "--quiet", *source, "--dest", folder, "pliant", folder=folder)
+    run(
+        python,
+        "-m",
+        "pip",
+        "download",
+        "--quiet",
+        *source,
+        "--dest",
+        folder,
+        "pliant",
+        folder=folder,
+    )
     (found,) = folder.glob("pliant-*.whl")
     return found
 

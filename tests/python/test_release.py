@@ -274,3 +274,16 @@ def test_the_recipe_needs_what_pyproject_needs():
         (found,) = [one for one in needed if one.split(" ")[0] == name]
         assert f'"{found.replace(" ", "")}"' in text, found
     assert "@" not in conda_recipe.recipe(THESE, "0" * 64)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("platform", ["linux-64", "linux-aarch64", "osx-64", "osx-arm64"])
+def test_rattler_build_reads_the_recipe_and_renders_it_for_each_python(platform):
+    rattler_build = pytest.importorskip("rattler_build", reason="./dev test --all installs it")
+    recipe = rattler_build.Stage0Recipe.from_yaml(conda_recipe.recipe(THESE, "0" * 64))
+    pythons = ["3.10", "3.11", "3.12", "3.13"]
+    compilers = {"c_compiler": ["gcc"], "cxx_compiler": ["gxx"], "c_stdlib": ["sysroot"]}
+    variants = rattler_build.VariantConfig({"python": pythons} | compilers)
+    target = rattler_build.PlatformConfig(target_platform=platform)
+    rendered = recipe.render(variants, rattler_build.RenderConfig(platform=target))
+    assert len(rendered) == len(pythons)
