@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws docs/pictures/bench_history.svg: what Pliant took, row by row of data/bench_history.jsonl."""
+"""Draws docs/pictures/bench_history.svg: what Pliant took, by data/bench_history.jsonl."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def make_history_picture(path: Path) -> None:
     above.set_yscale("log")
     above.set_title("Beside OpenMM's CCMA, 1e-6, 901 atoms", fontsize=9, loc="left")
     draw(below, over_the_first(series(history, "million_instructions")), labels)
-    below.set_title("Instructions of fixed work, over the first row", fontsize=9, loc="left")
+    below.set_title("Instructions of fixed work, over the first count", fontsize=9, loc="left")
     figure.savefig(path, metadata={"Date": None})
     plt.close(figure)
 

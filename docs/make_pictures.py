@@ -16,7 +16,6 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "tools"))
 
 import transcripts  # noqa: E402
-
 from history_picture import make_history_picture  # noqa: E402
 
 DPI = 110

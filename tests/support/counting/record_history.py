@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Appends what Pliant takes today to data/bench_history.jsonl: ./dev bench --record
 
-    record_history.py [--output FILE]
+    record_history.py [--output FILE] [--ratios-only]
 
 Times depend on the machine and on what else it does, so that only ratios are recorded: to OpenMM's
 CCMA, which repairs the same broken molecule in turn with each technique, in the same process. The
@@ -82,7 +82,7 @@ def git(*words: str) -> str:
     ).stdout.strip()
 
 
-def row() -> Row:
+def row(ratios_only: bool) -> Row:
     """All of it, and of what."""
     import openmm
 
@@ -96,7 +96,7 @@ def row() -> Row:
         "processor": processor(),
         "openmm": openmm.version.short_version,
         "ratios": ratios(),
-        "million_instructions": instructions(),
+        "million_instructions": {} if ratios_only else instructions(),
     }
 
 
@@ -112,9 +112,13 @@ def main() -> None:
     """Measures, appends, and says what came out."""
     parser = argparse.ArgumentParser(description="appends a row to the history of benchmarks")
     parser.add_argument("--output", type=Path, default=HISTORY)
-    path = parser.parse_args().output
+    parser.add_argument(
+        "--ratios-only", action="store_true", help="count no instructions: minutes less"
+    )
+    options = parser.parse_args()
+    path = options.output
     known = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    this = row()
+    this = row(options.ratios_only)
     with path.open("a", encoding="utf-8") as file:
         file.write(json.dumps(this) + "\n")
     print(*told(this, json.loads(known[-1]) if known else None), sep="\n")

@@ -4,8 +4,9 @@
     run_clang_tidy.py BUILD [--jobs N] [PART...]
 
 BUILD holds compile_commands.json of a build without precompiled headers. One that compiles files in
-batches (PLIANT_UNITY) takes a fifth of the time: most of it is spent on headers. Files of it whose
-path has one of the PARTs in it are looked at, all if none is given. What is in a header is said once.
+batches (PLIANT_UNITY) takes a fraction of the time: most of it is spent on headers. Files of it
+whose path has one of the PARTs in it are looked at, all if none is given. What is in a header is
+said once.
 """
 
 from __future__ import annotations
