@@ -30,7 +30,8 @@ def draw(axes: Any, values: dict[str, list[float | None]], labels: list[str]) ->
     axes.set_xticks(range(len(labels)), labels)
     axes.margins(x=0.1)
     axes.grid(axis="y", alpha=0.3)
-    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
+    if values:
+        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     axes.spines[["top", "right"]].set_visible(False)
 
 
