@@ -16,6 +16,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "tools"))
 
 import transcripts  # noqa: E402
+from history_picture import make_history_picture  # noqa: E402
 
 DPI = 110
 
@@ -60,3 +61,4 @@ if __name__ == "__main__":
         make(Path(work))
         for made, name in NAMES.items():
             (HERE / "pictures" / name).write_bytes((Path(work) / made).read_bytes())
+    make_history_picture(HERE / "pictures" / "bench_history.svg")

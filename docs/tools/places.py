@@ -24,6 +24,10 @@ INCLUDED = {
     "src/pliant/README.md": "inside/structure.md",
     "data/README.md": "inside/data.md",
     "CONTRIBUTING.md": "inside/contributing.md",
+    "src/pliant/ADDING.md": "inside/adding.md",
+    "tests/README.md": "inside/tests.md",
+    "docs/README.md": "inside/documentation.md",
+    "python/release/README.md": "inside/release.md",
     "CHANGELOG.md": "inside/changelog.md",
 }
 #: what stands for these on the site
