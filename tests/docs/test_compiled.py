@@ -10,6 +10,7 @@ import transcripts
 
 INCLUDED = re.compile(r'^--8<-- "(tests/[\w/.]+)(?::\d+)*"\n$')
 SOURCES = transcripts.ROOT / "src"
+TABLE = "constexpr OrderingEntry table[] = {\n"
 
 
 def all_of(kind):
@@ -46,12 +47,11 @@ def program_of(code):
 
 
 def unit_of_row(function, row):
-    """An ordering and its row, below what the table of orderings includes."""
-    table = (SOURCES / "pliant/order/ordering.cpp").read_text()
-    heads = re.findall(r"^#include .*\n", table, re.MULTILINE)
-    entry = "const OrderingEntry entry\n    {.name" + row.rstrip().rstrip(",") + ";\n"
-    named = ["#include <algorithm>\n", "#include <functional>\n", "namespace pliant {\n"]
-    return "".join([*heads, *named, function, entry, "}\n"])
+    """The table of orderings as the page says to change it: a function, and a row of the table."""
+    before, table, rows = (SOURCES / "pliant/order/ordering.cpp").read_text().partition(TABLE)
+    assert table
+    heads = "#include <algorithm>\n#include <functional>\n"
+    return f"{heads}{before}{function}\n{table}    {{.name{row}{rows}"
 
 
 @pytest.mark.long
