@@ -98,11 +98,8 @@ def fill(folder: Path) -> None:
     the reader's own files."""
     (folder / "data").symlink_to(ROOT / "data")
     if tests := find_spec("MDAnalysisTests"):
-        there = Path(str(tests.origin)).parent / "data"
         for name in OF_MDANALYSIS:
-            (folder / name).symlink_to(there / name)
-        (folder / "open.pdb").symlink_to(there / "adk_open.pdb")
-        (folder / "closed.pdb").symlink_to(there / "adk_closed.pdb")
+            (folder / name).symlink_to(Path(str(tests.origin)).parent / "data" / name)
     for name, source in UBIQUITIN.items():
         if (STRUCTURES / source).exists():
             (folder / name).symlink_to(STRUCTURES / source)
@@ -152,6 +149,16 @@ def run_python(code: str, names: dict[str, Any]) -> str:
     with contextlib.redirect_stdout(printed):
         exec(compile(code, "page", "exec"), names)
     return printed.getvalue()
+
+
+def run(block: Block, folder: Path, names: dict[str, Any]) -> None:
+    """Runs a script or Python of a page; raises RuntimeError if a script fails."""
+    if block.kind == "python":
+        run_python(block.code, names)
+    elif block.kind == "sh":
+        status, printed = run_script(block.code, folder)
+        if status:
+            raise RuntimeError(printed)
 
 
 def matches(printed: str, expected: str) -> bool:

@@ -3,6 +3,7 @@
 
 import re
 
+import make_pictures
 import pytest
 import transcripts
 
@@ -29,7 +30,8 @@ def place(page, block):
     return f"{name(page)}:{block.line}"
 
 
-WITH_CODE = [page for page in ALL if found(page, *transcripts.RUN)]
+#: a test of its own runs the gallery
+WITH_CODE = [page for page in ALL if found(page, *transcripts.RUN) and page.stem != "gallery"]
 
 
 def test_every_block_is_run_or_says_why_not():
@@ -79,6 +81,30 @@ def test_code_prints_what_the_page_says(page, tmp_path, monkeypatch):
             check_script(block, tmp_path)
         else:
             check_python(block, names)
+
+
+GALLERY = transcripts.PAGES / "gallery.md"
+
+
+def test_every_picture_of_the_gallery_is_made_by_what_it_shows():
+    made = {name: file for file, name in make_pictures.NAMES.items()}
+    code = "".join(block.code for block in transcripts.blocks(GALLERY.read_text()))
+    for name in re.findall(r"\]\(\.\./pictures/([^)]+)\)", GALLERY.read_text()):
+        assert made.pop(name) in code, name
+    assert made == {}
+
+
+@pytest.mark.long
+def test_the_gallery_makes_its_pictures(tmp_path, monkeypatch):
+    if not (transcripts.STRUCTURES / "pdb1ubi.pdb").exists():
+        pytest.skip("ubiquitin is not there: ./dev demo fetches it")
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    make_pictures.make(tmp_path)
+    for file, name in make_pictures.NAMES.items():
+        picture = (tmp_path / file).read_bytes()
+        assert picture[:8].lstrip().startswith((b"\x89PNG", b"<svg", b"<?xml")), file
+        assert 3000 < len(picture) < 400_000, file
+        assert 3000 < (transcripts.ROOT / "docs/pictures" / name).stat().st_size < 400_000, name
 
 
 def test_dots_stand_for_anything():
