@@ -4,8 +4,6 @@
 import html
 import json
 import re
-import subprocess
-import sys
 from functools import cache
 from html.parser import HTMLParser
 from urllib.parse import unquote, urlsplit
@@ -16,7 +14,6 @@ import pliant
 import pytest
 
 pytestmark = pytest.mark.long
-SITE = places.ROOT / "build" / "site"
 FROM_NETWORK = re.compile(r"<(?:script|img|link|iframe)[^>]*(?:src|href)=\"(?:https?:)?//[^\"]*\"")
 NAMES = {name for name in pliant.__all__ if not name.startswith("_")}
 #: domains that are nobody's (RFC 2606, RFC 6761)
@@ -39,34 +36,17 @@ class Links(HTMLParser):
                 self.anchors.add(value)
 
 
-@pytest.fixture(scope="module")
-def site():
-    """The site, built without a warning."""
-    pytest.importorskip("mkdocs", reason="./dev docs installs what builds the site")
-    command = ["mkdocs", "build", "--strict", "--config-file", "docs/mkdocs.yml"]
-    done = subprocess.run(
-        [sys.executable, "-m", *command],
-        cwd=places.ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    assert "WARNING" not in done.stderr.replace("WARNING=1", "")
-    return SITE
-
-
 @cache
 def links(path):
     """Those of a page."""
     return Links(path.read_text(encoding="utf-8"))
 
 
-def leads_somewhere(page, target):
+def leads_somewhere(site, page, target):
     """Whether a file of the site is there, and in it what is behind #."""
     parts = urlsplit(target)
     path = (page.parent / unquote(parts.path)).resolve() if parts.path else page
-    if not path.is_file() or not path.is_relative_to(SITE):
+    if not path.is_file() or not path.is_relative_to(site):
         return False
     anchor = unquote(parts.fragment)
     return not anchor or path.suffix != ".html" or anchor in links(path).anchors
@@ -79,7 +59,7 @@ def test_every_link_leads_somewhere(site):
         f"{page.relative_to(site)}: {target}"
         for page in pages
         for target in dict.fromkeys(links(page).targets)
-        if not urlsplit(target).scheme and not leads_somewhere(page, target)
+        if not urlsplit(target).scheme and not leads_somewhere(site, page, target)
     ]
     assert broken == []
 
