@@ -10,7 +10,6 @@ import pliant
 import pytest
 
 
-
 def names_in_the_navigation():
     lines = (places.ROOT / "docs" / "mkdocs.yml").read_text().split("\nnav:\n")[1].splitlines()
     return [found[1] for line in lines if (found := re.match(r" +- ([\w/]+\.md)$", line))]
