@@ -15,6 +15,7 @@ pytestmark = [
     pytest.mark.skipif(chromium() is None, reason="no Chromium is installed"),
 ]
 WIDTHS = (1400, 420)
+PATIENCE = 600  #: seconds; what takes longer hangs, also on a machine that does much else
 OF_THE_PAGE = ("file:", "data:", "blob:", "about:")
 LOADED = "document.readyState === 'complete'"
 #: what sticks out of the page to the right, but for what scrolls by itself
@@ -49,7 +50,7 @@ def look_at(browser, address, width, scheme="light"):
     feature = {"name": "prefers-color-scheme", "value": scheme}
     browser.call("Emulation.setEmulatedMedia", {"features": [feature]})
     browser.open(address)
-    browser.wait_for(LOADED)
+    browser.wait_for(LOADED, PATIENCE)
 
 
 @pytest.mark.parametrize("width", WIDTHS)
@@ -77,7 +78,7 @@ def test_a_reader_in_the_dark_gets_dark_pages(site, browser):
 def search(browser, words):
     """Addresses that a search finds, best first."""
     browser.evaluate(f"{SEARCH}({json.dumps(words)})")
-    browser.wait_for(f"{FOUND}.length > 0")
+    browser.wait_for(f"{FOUND}.length > 0", PATIENCE)
     return browser.evaluate(FOUND)
 
 
@@ -116,7 +117,7 @@ def test_readers_choose_among_versions(site, browser, address, tmp_path):
     for version in ("0.9.0", "1.0.0", "1.0.1"):
         versions.place(site, tmp_path, version)
     look_at(browser, f"{address}/index.html", 1400)
-    browser.wait_for("document.querySelectorAll('.md-version__item').length === 2")
+    browser.wait_for("document.querySelectorAll('.md-version__item').length === 2", PATIENCE)
     assert browser.evaluate("location.pathname") == "/1.0/index.html"
     shown = "[...document.querySelectorAll('.md-version__item')].map(one => one.innerText.trim())"
     assert browser.evaluate(shown.replace("innerText", "textContent")) == ["1.0.1", "0.9.0"]
