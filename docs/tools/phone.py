@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What fits a page to a narrow screen: pictures that open in full, short code that stays on a line."""
+"""Fits a page to a narrow screen: pictures open in full, short code stays on a line."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import re
 PICTURE = re.compile(r"<img [^>]*?src=\"([^\"]+)\"[^>]*>")
 LINKED = re.compile(r"(<a\b[^>]*>(?:(?!</a>).)*</a>)", re.DOTALL)
 SHORT = 24  #: characters of code that a phone shows on one line
-CODE = re.compile(r"(<pre\b.*?</pre>)|<code>([^<]{1,%d})</code>" % SHORT, re.DOTALL)
+CODE = re.compile(rf"(<pre\b.*?</pre>)|<code>([^<]{{1,{SHORT}}})</code>", re.DOTALL)
 
 
 def fitted(page: str) -> str:

@@ -33,7 +33,7 @@ LEADS = """<!doctype html>
 def place(site: Path, folder: Path, version: str) -> None:
     """Adds a site to a folder of versions, in place of one of the same major and minor version.
 
-    Raises FileNotFoundError if there is no site, ValueError if its pages have no place for a choice.
+    Raises FileNotFoundError if there is no site, ValueError if its pages offer no choice.
     """
     name = ".".join(version.split(".")[:2])
     if not (site / "index.html").is_file():

@@ -10,8 +10,9 @@ from urllib.parse import unquote, urlsplit
 
 import headers
 import places
-import pliant
 import pytest
+
+import pliant
 
 pytestmark = pytest.mark.long
 FROM_NETWORK = re.compile(r"<(?:script|img|link|iframe)[^>]*(?:src|href)=\"(?:https?:)?//[^\"]*\"")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every block of code of every page is run, compiled or read; what pages say is printed is printed."""
+"""Every block of code of every page is run, compiled or read, and prints what the page says."""
 
 import re
 

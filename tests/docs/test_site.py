@@ -6,8 +6,9 @@ import re
 import headers
 import help_texts
 import places
-import pliant
 import pytest
+
+import pliant
 
 
 def names_in_the_navigation():
