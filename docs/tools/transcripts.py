@@ -3,7 +3,7 @@
 
 `console` blocks hold commands after `$ ` and what they print; `...` stands for anything. `sh`
 blocks are scripts that must end well. `python` blocks are run one after the other in one namespace,
-and a `text` block right after one holds what it prints. A comment <!-- long --> before a block leaves
+and a `text` block right after one holds what it prints. <!-- long --> before a block leaves
 it to ./dev test --all; <!-- not run: why --> to the reader. C++ and CMake are parts of files that
 tests compile (`--8<--`), or are compiled as they stand; `yaml` is a cluster file, which is read.
 `python docs/tools/transcripts.py PAGE` writes what is printed now into a page.
