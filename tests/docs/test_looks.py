@@ -26,7 +26,8 @@ STICKING_OUT = """[...document.querySelectorAll(".md-main *")].filter(one => {
 }).slice(0, 3).map(one => one.outerHTML.slice(0, 120))"""
 SEARCH = """(words => {
   const field = document.querySelector(".md-search__input")
-  document.querySelector("#__search").checked = true
+  const open = document.querySelector("#__search")
+  if (!open.checked) open.click()
   field.focus()
   field.value = words
   field.dispatchEvent(new Event("input", {bubbles: true}))
