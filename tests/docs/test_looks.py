@@ -88,7 +88,7 @@ def search(browser, words):
     [
         ("SampledEnsemble", "api/ensembles.html"),
         ("resolver.hpp", "api/cpp/resolve.html"),
-        ("hinge", "glossary.html"),
+        ("hinge", "protein.html"),
     ],
 )
 def test_search_finds_on_the_disk(site, browser, words, page):
@@ -122,6 +122,6 @@ def test_readers_choose_among_versions(site, browser, address, tmp_path):
     assert browser.evaluate("location.pathname") == "/1.0/index.html"
     shown = "[...document.querySelectorAll('.md-version__item')].map(one => one.innerText.trim())"
     assert browser.evaluate(shown.replace("innerText", "textContent")) == ["1.0.1", "0.9.0"]
-    assert any("glossary" in found for found in search(browser, "hinge"))
+    assert any("protein" in found for found in search(browser, "hinge"))
     assert all(one.startswith((address, *OF_THE_PAGE)) for one in browser.requests)
     assert browser.errors == []
