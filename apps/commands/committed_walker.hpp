@@ -29,12 +29,12 @@ class CommitClock {
 /// Commits one walker. Its frames are kept by the caller.
 class CommittedWalker {
  public:
-  CommittedWalker(CommitLog& log, std::int64_t walker, double seconds, KeptFrames& kept)
-      : log_(log), walker_(walker), clock_(seconds), kept_(kept) {}
+  CommittedWalker(CommitLog& log, std::int64_t walker, double seconds, const RunOptions& run,
+                  KeptFrames& kept)
+      : log_(log), walker_(walker), clock_(seconds), run_(run), kept_(kept) {}
 
   /// Where the walker goes on, if it was begun before; its frames are then among the kept ones.
-  /// `last_step` is that of a walker that is done.
-  std::optional<WalkerReached> reached(std::int64_t last_step);
+  std::optional<WalkerReached> reached();
   /// Whether a commit is due after this step. What look() saw before is committed now: by then the
   /// frame of that step, if it is shown, is among the kept ones.
   bool wants(std::int64_t step);
@@ -43,10 +43,12 @@ class CommittedWalker {
 
  private:
   void commit(const State& state, bool is_done);
+  bool is_shown_early(const State& state) const;
 
   CommitLog& log_;
   std::int64_t walker_;
   CommitClock clock_;
+  const RunOptions& run_;
   KeptFrames& kept_;
   std::size_t committed_ = 0;  ///< frames
   std::optional<State> seen_;

@@ -90,7 +90,8 @@ struct RecordedWalker {
       : shared(shared_things), walker(number), forces(force_recorder(shared, walker)) {
     if (!shared.sequence) recorder.emplace(output_for(shared, walker));
     if (shared.commits)
-      committed.emplace(*shared.commits, walker, shared.settings.commits.seconds, kept);
+      committed.emplace(*shared.commits, walker, shared.settings.commits.seconds,
+                        shared.settings.run, kept);
   }
 
   bool keeps_forces() const {
@@ -107,7 +108,7 @@ struct RecordedWalker {
   /// Goes on from the last commit, if there is one, and commits from then on.
   void watch_commits(Watchers& watchers, const std::shared_ptr<RecordedWalker>& self) {
     if (!committed) return;
-    watchers.reached = committed->reached(shared.settings.run.steps);
+    watchers.reached = committed->reached();
     if (watchers.reached) {
       last_step = watchers.reached->state.step;
       shared.add_steps(last_step);

@@ -15,6 +15,7 @@ class KeptFrames {
  public:
   /// Copies what the frame's spans show.
   void add(const Frame& frame);
+  void remove_last() { frames_.pop_back(); }
   std::size_t size() const { return frames_.size(); }
   /// The k-th frame. Its spans are valid until the next call of add().
   Frame operator[](std::size_t k) const;
