@@ -11,12 +11,13 @@ from pathlib import Path
 from pliant.console import counted
 from pliant.ensemble.make_shard import Making
 from pliant.ensemble.plan import EnsemblePlan
-from pliant.ensemble.time_limit import EXIT_AGAIN
+from pliant.ensemble.time_limit import EXIT_AGAIN, parse_walltime
 
 #: Slurm takes up to 1001 jobs in an array unless it is set otherwise (MaxArraySize).
 MOST_JOBS = 1000
 
-#: Seconds before the end at which Slurm sends SIGUSR1. It may come a minute earlier than asked.
+#: Seconds before the end at which Slurm sends SIGUSR1; less of a short time. It may come a minute
+#: earlier than asked.
 SIGNAL_SECONDS = 120
 
 
@@ -25,7 +26,10 @@ def slurm_script(
 ) -> str:
     """The script; `words` are the arguments of the command that asked for it."""
     jobs = min(plan.shard_count, MOST_JOBS)
-    time = f"#SBATCH --time={walltime}\n" if walltime else ""
+    time, early = "", SIGNAL_SECONDS
+    if walltime is not None:
+        time = f"#SBATCH --time={walltime}\n"
+        early = min(early, int(parse_walltime(walltime) / 4))
     return f"""\
 #!/bin/sh
 #SBATCH --job-name=pliant
@@ -34,11 +38,11 @@ def slurm_script(
 #SBATCH --cpus-per-task=1
 #SBATCH --requeue
 #SBATCH --open-mode=append
-#SBATCH --signal=B:USR1@{SIGNAL_SECONDS}
+#SBATCH --signal=B:USR1@{early}
 {time}{_comment(plan, words, is_timed=walltime is not None)}
 shard=$SLURM_ARRAY_TASK_ID
-child=
-trap '[ -z "$child" ] || kill -USR1 "$child"' USR1
+child= again=
+trap 'again=1; [ -z "$child" ] || kill -USR1 "$child"' USR1
 trap '[ -z "$child" ] || kill -TERM "$child"' TERM
 while [ "$shard" -lt {plan.shard_count} ]; do
   {_command(folder, how)} --only "$shard" &
@@ -50,12 +54,17 @@ while [ "$shard" -lt {plan.shard_count} ]; do
     code=$?
   done
   child=
-  if [ "$code" -eq {EXIT_AGAIN} ]; then  # committed: the next start goes on
+  if [ "$code" -eq 0 ]; then
+    shard=$((shard + {jobs}))
+  elif [ "$code" -eq {EXIT_AGAIN} ]; then
+    again=1
+  elif [ -z "$again" ]; then
+    exit "$code"
+  fi
+  if [ -n "$again" ] && [ "$shard" -lt {plan.shard_count} ]; then  # the next start goes on
     scontrol requeue "$SLURM_JOB_ID"
     exit {EXIT_AGAIN}
   fi
-  [ "$code" -eq 0 ] || exit "$code"
-  shard=$((shard + {jobs}))
 done
 """
 
