@@ -25,6 +25,9 @@ _EXTRAS = {
     "rdkit": ("RDKit", "rdkit"),
     "scipy": ("SciPy", "lab"),
     "websockets": ("websockets", "play"),
+    "fsspec": ("fsspec", "remote"),
+    "xarray": ("xarray", "zarr"),
+    "zarr": ("Zarr", "zarr"),
 }
 
 

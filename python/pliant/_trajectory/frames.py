@@ -153,6 +153,14 @@ class FramesOfUniverse:
         """The number of the frame."""
         return int(self._at(frame)[1])
 
+    def walker_and_step(self, frame: int) -> tuple[int, int] | None:
+        """Of a frame of an ensemble; None where there are no walkers."""
+        trajectory = self._atoms.universe.trajectory
+        before = trajectory.frame
+        data = dict(trajectory[frame].data)
+        trajectory[before]
+        return (int(data["walker"]), int(data["step"])) if "walker" in data else None
+
     def time(self, frame: int) -> float:
         """In ps."""
         return float(self._at(frame)[2])
