@@ -25,7 +25,6 @@ _EXTRAS = {
     "rdkit": ("RDKit", "rdkit"),
     "scipy": ("SciPy", "lab"),
     "websockets": ("websockets", "play"),
-    "fsspec": ("fsspec", "remote"),
     "xarray": ("xarray", "zarr"),
     "zarr": ("Zarr", "zarr"),
 }

@@ -94,7 +94,7 @@ def _atoms(structure: _core.Structure) -> dict[str, tuple[str, np.ndarray]]:
     columns = {
         "name": structure.names,
         "element": structure.symbols,
-        "residue": structure.residue_ids,
+        "residue": np.asarray(structure.residue_ids).astype(np.int64),  # Zarr knows no long long
         "residue_name": structure.residue_names,
         "chain": structure.chains,
     }
