@@ -5,12 +5,13 @@ import errno
 import os
 import time
 
+import h5py
 import pytest
 from ensembles import PEPTIDE, call, made, shards_of, start
 from pliant.ensemble import folder_lock, scratch
 from pliant.ensemble.folder_lock import alone_in, mount_of
 
-from pliant import FileError
+from pliant import FileError, _hdf5
 
 WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
 
@@ -81,6 +82,24 @@ def test_a_file_system_without_locks_is_told_once(tmp_path, monkeypatch, capfd, 
         pass
     err = capfd.readouterr().err
     assert err.count("takes no lock: see to it that no other machine") == 1
+
+
+@pytest.mark.parametrize(("number", "is_read"), [(errno.ENOLCK, True), (errno.EAGAIN, False)])
+def test_shards_are_read_where_there_are_no_locks(ensemble, monkeypatch, number, is_read):
+    whole = h5py.File
+
+    def refuse(name, mode="r", locking=None):
+        if locking is False:
+            return whole(name, mode, locking=False)
+        raise OSError(f"Unable to open file (unable to lock file, errno = {number})")
+
+    monkeypatch.setattr(h5py, "File", refuse)
+    path = shards_of(ensemble)[0]
+    if is_read:
+        _hdf5._opened_file(str(path)).close()
+    else:
+        with pytest.raises(FileError, match="cannot be opened"):
+            _hdf5._opened_file(str(path))
 
 
 def test_a_lock_that_another_holds_is_an_error(tmp_path):
