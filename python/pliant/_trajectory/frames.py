@@ -98,6 +98,11 @@ class FramesOfH5md:
         """In ps; the number of the frame where the file has none."""
         return time_recorded(self._reader, frame)
 
+    def walker(self, frame: int) -> int | None:
+        """Of a frame of an ensemble; None where there are no walkers."""
+        known = getattr(self._reader, "walker", None)
+        return known(frame) if known else None
+
 
 class FramesOfModels:
     """The models of a structure file, or its one structure."""
@@ -152,14 +157,6 @@ class FramesOfUniverse:
     def step(self, frame: int) -> int:
         """The number of the frame."""
         return int(self._at(frame)[1])
-
-    def walker_and_step(self, frame: int) -> tuple[int, int] | None:
-        """Of a frame of an ensemble; None where there are no walkers."""
-        trajectory = self._atoms.universe.trajectory
-        before = trajectory.frame
-        data = dict(trajectory[frame].data)
-        trajectory[before]
-        return (int(data["walker"]), int(data["step"])) if "walker" in data else None
 
     def time(self, frame: int) -> float:
         """In ps."""

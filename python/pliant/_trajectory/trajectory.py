@@ -238,8 +238,8 @@ class Trajectory(HasFrames, Displayed):
         """Of a frame, in ps; its number where no time is known."""
         return self._frames.time(self._number(frame))
 
-    def _walker_and_step(self, frame: int) -> tuple[int, int] | None:
-        known = getattr(self._frames, "walker_and_step", None)
+    def _walker(self, frame: int) -> int | None:
+        known = getattr(self._frames, "walker", None)
         return known(self._number(frame)) if known else None
 
     def facts(self) -> Facts:

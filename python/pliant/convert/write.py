@@ -118,7 +118,7 @@ class Moment:
     positions: np.ndarray
     step: int
     time: float
-    walker_and_step: tuple[int, int] | None = None  #: of a frame of an ensemble
+    walker: int | None = None  #: of a frame of an ensemble
 
 
 def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
@@ -138,7 +138,7 @@ def _frames(
         elif fit is not None:
             positions = fit.apply(positions)
         step, time = trajectory.step(frame), trajectory.time(frame)
-        yield Moment(positions, step, time, trajectory._walker_and_step(frame))
+        yield Moment(positions, step, time, trajectory._walker(frame))
 
 
 def _write_h5md(

@@ -73,16 +73,15 @@ def _write(path: str, structure: _core.Structure, frames: Iterator[Moment], rows
 def _dataset(part: list[Moment], first: int) -> xarray.Dataset:
     import xarray
 
-    walkers = [one.walker_and_step for one in part]
-    steps = [pair[1] if pair else one.step for pair, one in zip(walkers, part, strict=True)]
+    walkers = [one.walker for one in part if one.walker is not None]
     coordinates: dict[str, Any] = {
         "frame": np.arange(first, first + len(part)),
-        "step": ("frame", steps),
+        "step": ("frame", [one.step for one in part]),
         "time": ("frame", [one.time for one in part], {"units": "ps"}),
         "xyz": ["x", "y", "z"],
     }
-    if all(walkers):
-        coordinates["walker"] = ("frame", [pair[0] for pair in walkers if pair])
+    if walkers:
+        coordinates["walker"] = ("frame", walkers)
     if first > 0:
         del coordinates["xyz"]
     values = np.array([one.positions for one in part])

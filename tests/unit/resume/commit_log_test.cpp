@@ -66,7 +66,7 @@ TEST_F(CommitLogs, GiveBackWhatWasCommitted) {
     CommitLog log(path_, key);
     EXPECT_FALSE(log.committed(5));
     log.commit(5, kept, 0, state_of(9), false);
-    log.commit(6, kept, 3, state_of(1), true);
+    log.commit(6, KeptFrames(), 0, state_of(1), true);
   }
   const CommitLog log(path_, key);
   const auto found = log.committed(5);
