@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "options/commit_settings.hpp"
+#include "commit_settings.hpp"
 #include "options/guide_settings.hpp"
 #include "options/imd_settings.hpp"
 #include "options/molecule_input.hpp"

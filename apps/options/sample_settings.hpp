@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "options/commit_settings.hpp"
+#include "commit_settings.hpp"
 #include "options/molecule_input.hpp"
 #include "pliant/base/parameter.hpp"
 #include "pliant/model/amplitude.hpp"

@@ -40,7 +40,6 @@ MOST_LEVELS = 8
 PATIENCE = 2.0
 PAUSE = 0.02
 
-#: What a lock fails with where the file system has none.
 _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP}
 
 Result = TypeVar("Result")
@@ -76,7 +75,6 @@ def _opened_file(name: str) -> h5py.File:
 
 
 def _is_without_locks(error: OSError) -> bool:
-    """Whether HDF5 failed because the file system takes no lock."""
     found = re.search(r"unable to lock file, errno = (\d+)", str(error))
     return found is not None and int(found[1]) in _NO_LOCKS
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "options/commit_settings.hpp"
+#include "commit_settings.hpp"
 
 #include <filesystem>
 #include <limits>
