@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 namespace pliant::app {
 
@@ -28,7 +29,7 @@ void go_on_from_commits(const CommitSettings& settings, H5mdOptions& record) {
   if (settings.file.empty()) return;
   record.flush_seconds = std::numeric_limits<double>::infinity();
   std::error_code error;
-  if (std::filesystem::exists(settings.file, error)) record.overwrite = true;
+  if (std::filesystem::exists(path_of(settings.file), error)) record.overwrite = true;
 }
 
 }  // namespace pliant::app

@@ -14,7 +14,7 @@ constexpr std::int64_t only_walker = 0;
 CommittedSample::CommittedSample(const SampleSettings& settings, const SampleTask& task,
                                  std::span<const NamedParameter> parameters)
     : task_(task),
-      log_(settings.commits.file, key_of_run(task.framework(), task.start(), parameters),
+      log_(path_of(settings.commits.file), key_of_run(task.framework(), task.start(), parameters),
            settings.record.log),
       clock_(settings.commits.seconds),
       next_frame_(task.options().first_frame) {}

@@ -159,7 +159,7 @@ std::unique_ptr<CommitLog> commit_log(const Shared& shared) {
   const H5mdHeader header = header_of(shared.settings, shared.molecule, 0);
   const auto key =
       key_of_run(shared.molecule.framework, shared.molecule.structure.positions, header.parameters);
-  return std::make_unique<CommitLog>(shared.settings.commits.file, key, shared.log);
+  return std::make_unique<CommitLog>(path_of(shared.settings.commits.file), key, shared.log);
 }
 
 /// What a person did, once more.

@@ -21,6 +21,7 @@ from pliant._superposition import Superposition
 from pliant._trajectory.results import SampledEnsemble
 from pliant._trajectory.sources import Molecule
 from pliant._trajectory.trajectory import HasFrames, Trajectory
+from pliant.convert.moment import Moment
 from pliant.convert.zarr_store import write_zarr
 
 
@@ -109,16 +110,6 @@ def _chosen(structure: _core.Structure, select: str) -> np.ndarray:
     if len(atoms) == 0:
         raise OptionError(f'--select "{select}": chooses none of {len(structure)} atoms')
     return atoms
-
-
-@dataclass
-class Moment:
-    """A frame on its way: positions (n, 3) Angstrom, step, time in ps."""
-
-    positions: np.ndarray
-    step: int
-    time: float
-    walker: int | None = None  #: of a frame of an ensemble
 
 
 def _part_of(structure: _core.Structure, select: str) -> _core.Structure:

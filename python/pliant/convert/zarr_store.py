@@ -20,7 +20,7 @@ from pliant._extras import need
 if TYPE_CHECKING:
     import xarray
 
-    from pliant.convert.write import Moment
+    from pliant.convert.moment import Moment
 
 #: Bytes of positions in a chunk, which is read at once; and chunks that are written at once.
 _CHUNK_BYTES = 4 << 20

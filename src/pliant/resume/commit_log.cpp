@@ -17,6 +17,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/base/version.hpp"
 #include "pliant/resume/commit_words.hpp"
 
@@ -30,7 +31,7 @@ constexpr std::uint64_t head_words = 2;
 
 [[noreturn]] void fail_at(const std::filesystem::path& path) {
   const int error = errno;
-  throw FileError(printable_name(path.string()) + ": " +
+  throw FileError(printable_name(path_text(path)) + ": " +
                   (error == 0 ? "cannot be read or written" : std::strerror(error)));
 }
 
@@ -110,9 +111,9 @@ void CommitLog::read(std::uint64_t key) {
   std::array<std::uint64_t, head_words> head{};
   if (!read_words(file, head)) return begin(key);  // killed as soon as it was made
   if (head[0] != log_magic)
-    throw InputError(printable_name(path_.string()) + ": is no log of commits");
+    throw InputError(printable_name(path_text(path_)) + ": is no log of commits");
   if (head[1] != key)
-    throw InputError(printable_name(path_.string()) +
+    throw InputError(printable_name(path_text(path_)) +
                      ": has the commits of another run: give another name, or remove it");
   end_ = sizeof(head);
   const std::uint64_t size = std::filesystem::file_size(path_);
@@ -191,7 +192,7 @@ void CommitLog::append(std::span<const std::uint64_t> words) {
   std::error_code error;
   if (!std::filesystem::exists(path_, error)) {
     is_gone_ = true;
-    log_.warn(printable_name(path_.string()) +
+    log_.warn(printable_name(path_text(path_)) +
               ": is gone, taken over by another process: the run goes on without commits");
     return;
   }
