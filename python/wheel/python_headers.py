@@ -2,9 +2,9 @@
 """python_headers.py INTERPRETER TARGET FOLDER: what an extension for another system is built with.
 
 CPython's headers are the same everywhere but for pyconfig.h, which its build writes. We write one
-with what the headers ask for: sizes and a few switches, which the system's ABI settles. Windows links
-against a library of the names that Python's DLL has: of python3.dll the stable ABI (PEP 384), as
-CPython lists it; of python310.dll and python311.dll what CPython here exports, too.
+with what the headers ask for: sizes and a few switches, which the system's ABI settles. Windows
+links against a library of the names that Python's DLL has: of python3.dll the stable ABI (PEP 384),
+as CPython lists it; of python310.dll and python311.dll what CPython here exports, too.
 """
 
 import json
@@ -118,9 +118,13 @@ def main(interpreter: str, target: str, folder: Path) -> None:
     system = target.partition("-")[0]
     itself = asked(interpreter)
     shutil.rmtree(folder, ignore_errors=True)
-    shutil.copytree(itself["include"], folder / "include", ignore=lambda _, names: [
-        name for name in names if name in ("internal", "pyconfig.h", "pyconfig-64.h")
-    ])
+    shutil.copytree(
+        itself["include"],
+        folder / "include",
+        ignore=lambda _, names: [
+            name for name in names if name in ("internal", "pyconfig.h", "pyconfig-64.h")
+        ],
+    )
     (folder / "include/pyconfig.h").write_text(pyconfig(system))
     if system == "windows":
         import_library(itself, folder)
