@@ -43,7 +43,7 @@ class _Image:
     def at(self, address: int) -> int:
         for size, start, raw_size, raw in self.sections:
             if start <= address < start + max(size, raw_size):
-                return address - start + raw
+                return int(address - start + raw)
         raise ValueError(f"address {address:#x} lies in no section")
 
     def words(self, layout: str, address: int) -> tuple[int, ...]:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import itertools
 import shutil
 import time
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from pliant._core import Error, FileError, InputError, OptionError
+from pliant._file_lock import take_lock
 from pliant.console import warn
 from pliant.ensemble.cluster import Place
 from pliant.ensemble.inspect_shard import ShardRecord, check_shard
@@ -78,7 +78,7 @@ def alone_in(folder: Path) -> Iterator[None]:
     is_new = not folder.exists()
     with _lock_file(folder) as file:
         try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            take_lock(file)
         except OSError:
             raise FileError(f"{folder}: another pliant ensemble is at work in it") from None
         try:
