@@ -19,3 +19,14 @@ if(NOT Python_VERSION VERSION_LESS 3.12)
   add_library(Python::SABIModule INTERFACE IMPORTED)
   target_link_libraries(Python::SABIModule INTERFACE Python::Module)
 endif()
+
+# pliant_foreign_extension(TARGET): on macOS the names of Python are left to be found in whoever loads
+# it. nanobind lists them in a file, which zig's linker does not read; python/wheel/check_wheel.py sees
+# to it that nothing else is left so.
+function(pliant_foreign_extension target)
+  if(APPLE)
+    get_target_property(options ${target} LINK_OPTIONS)
+    list(FILTER options EXCLUDE REGEX "darwin-ld-")
+    set_property(TARGET ${target} PROPERTY LINK_OPTIONS ${options} "LINKER:-undefined,dynamic_lookup")
+  endif()
+endfunction()

@@ -6,6 +6,8 @@ set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 add_compile_options(-ffunction-sections -fdata-sections)
 if(APPLE)
+  # zig's linker makes no bundles; Python loads a library as well.
+  set(CMAKE_SHARED_MODULE_CREATE_CXX_FLAGS -shared)
   add_link_options(-Wl,-dead_strip)
   add_compile_options(-Werror=unguarded-availability) # of what is newer than the oldest system
 else()
