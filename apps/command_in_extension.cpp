@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The command of a wheel lies in the extension pliant._core, so that a wheel has the library once.
-// The script `pliant` (python/wheel/command.py) calls it.
+// The script `pliant` (python/wheel/command.py) calls it, with its own path and words in UTF-8.
 #include "commands.hpp"
 #include "external.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 extern "C" [[gnu::visibility("default")]] int pliant_command(int argc, char** argv) {
-  pliant::app::set_own_path(argv[0]);
-  return pliant::app::run_command(argc, argv);
+  pliant::app::set_own_path(pliant::path_of(argv[0]));
+  return pliant::app::run_command({argv + 1, argv + argc});
 }

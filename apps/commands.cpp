@@ -2,7 +2,6 @@
 #include "commands.hpp"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -13,6 +12,8 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/signals.hpp"
+#include "pliant/base/system/terminal.hpp"
 
 namespace pliant::app {
 namespace {
@@ -148,12 +149,11 @@ int fail_with(int code, const char* message) {
 
 }  // namespace
 
-int run_command(int argc, char** argv) {
-  // A closed pipe or a full quota is an error of the write that meets it, not the end of the run.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
+int run_command(const Arguments& words) {
+  fail_writes_alone();
+  prepare_terminal();
   try {
-    const int code = dispatch({argv + 1, argv + argc});
+    const int code = dispatch(words);
     return std::fflush(stdout) == 0 ? code : int{exit_failed};
   } catch (const OptionError& error) {
     return fail_with(exit_usage, error.what());

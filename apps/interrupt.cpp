@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "interrupt.hpp"
 
-#include <unistd.h>
-
 #include <atomic>
-#include <csignal>
+#include <cstdlib>
 
 #include "command.hpp"
+#include "pliant/base/system/signals.hpp"
 
 namespace pliant::app {
 namespace {
@@ -14,19 +13,13 @@ namespace {
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void ask(int) {
-  if (asked.exchange(true)) _exit(exit_interrupted);
+void ask() {
+  if (asked.exchange(true)) std::_Exit(exit_interrupted);
 }
 
 }  // namespace
 
-void watch_for_interrupt() {
-  // A shell starts background jobs with Ctrl-C ignored: it is meant for the job in front. nohup
-  // ignores the end of a terminal.
-  for (const int signal : {SIGINT, SIGHUP})
-    if (std::signal(signal, ask) == SIG_IGN) std::signal(signal, SIG_IGN);
-  std::signal(SIGTERM, ask);
-}
+void watch_for_interrupt() { call_on_request_to_end(ask); }
 
 bool interrupted() { return asked.load(std::memory_order_relaxed); }
 

@@ -2,9 +2,9 @@
 #include "messages.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/terminal.hpp"
 
 namespace pliant::app {
 
@@ -45,7 +45,7 @@ void add_verbose(CommandLine& line, bool& verbose) {
 }
 
 ProgressBar::ProgressBar(std::int64_t total, std::string unit, bool quiet)
-    : total_(total), unit_(std::move(unit)), enabled_(!quiet && isatty(STDERR_FILENO) == 1) {}
+    : total_(total), unit_(std::move(unit)), enabled_(!quiet && is_stderr_a_terminal()) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) fmt::print(stderr, "\r\x1b[K");

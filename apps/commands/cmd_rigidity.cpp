@@ -99,9 +99,9 @@ void dilute(RigidityReport& report) {
 }
 
 /// Path of the program that makes the page; "" where none is asked for.
-std::string page_program(const RigiditySettings& settings) {
+std::filesystem::path page_program(const RigiditySettings& settings) {
   if (settings.page.empty()) return "";
-  std::string path = find_external("rigidity-page");
+  std::filesystem::path path = find_external("rigidity-page");
   if (path.empty())
     throw InputError(
         "--page is made by the Python package: install it (pip install pliant), so that "
@@ -109,7 +109,7 @@ std::string page_program(const RigiditySettings& settings) {
   return path;
 }
 
-int write_page(const std::string& program, const RigiditySettings& settings,
+int write_page(const std::filesystem::path& program, const RigiditySettings& settings,
                const RigidityReport& report) {
   Arguments arguments{"-o", settings.page};
   if (settings.overwrite) arguments.push_back("--overwrite");
@@ -144,7 +144,7 @@ int command_rigidity(const Arguments& arguments) {
   if (settings.overwrite && settings.output.empty() && settings.page.empty())
     throw OptionError("--overwrite: goes with --output or --page");
   refuse_input_as_output(settings);
-  const std::string program = page_program(settings);
+  const std::filesystem::path program = page_program(settings);
   Messages messages(settings.as_json);
   const RigidityReport report = report_of(settings, messages);
   if (!settings.output.empty())

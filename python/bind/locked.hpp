@@ -2,14 +2,13 @@
 // Objects that use HDF5, for Python: shared by threads, without waiting while the GIL is held.
 #pragma once
 
-#include <unistd.h>
-
 #include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <string>
 
 #include "bind.hpp"
+#include "pliant/base/system/process.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 
@@ -55,9 +54,9 @@ class Locked {
   }
 
  private:
-  bool is_forked() const { return ::getpid() != owner_; }
+  bool is_forked() const { return process_id() != owner_; }
 
-  const pid_t owner_ = ::getpid();
+  const int owner_ = process_id();
   std::mutex mutex_;
   std::unique_ptr<Object> object_;
 };

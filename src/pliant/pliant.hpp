@@ -14,6 +14,8 @@
 #include "pliant/base/parameter.hpp"             // values of options in files
 #include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
 #include "pliant/base/range.hpp"    // what an option may be
+#include "pliant/base/system/descriptor.hpp"  // files as the system has them
+#include "pliant/base/system/sockets.hpp"     // TCP
 #include "pliant/base/threads.hpp"  // where there are any
 #include "pliant/base/vec3.hpp"     // Vec3
 #include "pliant/base/version.hpp"  // of this library
@@ -164,7 +166,6 @@
 #include "pliant/stream/imd_packets.hpp"   // what a server says
 #include "pliant/stream/imd_server.hpp"    // live: VMD, MDAnalysis, pliant watch
 #include "pliant/stream/imd_session.hpp"   // one client
-#include "pliant/stream/sockets.hpp"       // TCP
 
 // resume: what runs and samples go on from
 #include "pliant/resume/force_recorder.hpp"   // the pushes of a run as a force file

@@ -10,10 +10,10 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/descriptor.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/atoms/residue_nodes.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
-#include "pliant/text/file_text.hpp"
 
 namespace pliant {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/text/file_text.hpp"

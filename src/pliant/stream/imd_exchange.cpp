@@ -17,10 +17,7 @@ constexpr std::chrono::milliseconds glance{50};
 }  // namespace
 
 ImdExchange::ImdExchange(const Options& options, std::shared_ptr<Steering> steering)
-    : options_(options),
-      steering_(std::move(steering)),
-      wake_(make_wake()),
-      waits_for_client_(options.waits) {}
+    : options_(options), steering_(std::move(steering)), waits_for_client_(options.waits) {}
 
 /// Where the run waits, frames queue, and none is lost. Where it does not, one is made only when
 /// the client can be sent it: one made earlier would be old by then.
@@ -72,7 +69,7 @@ void ImdExchange::put(std::shared_ptr<Bytes> coordinates, const MakeHead& head_f
     }
     coordinates.reset();  // take_back() finds out whether a buffer is free
   }
-  wake(wake_);
+  wake_.wake();
 }
 
 std::shared_ptr<Bytes> ImdExchange::buffer() {
@@ -88,7 +85,7 @@ void ImdExchange::finish() {
     const std::lock_guard hold(mutex_);
     is_finishing_ = true;
   }
-  wake(wake_);
+  wake_.wake();
 }
 
 void ImdExchange::tell(const Log& log) {

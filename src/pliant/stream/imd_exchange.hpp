@@ -17,7 +17,7 @@
 #include "pliant/perturb/steering.hpp"
 #include "pliant/stream/imd_follower.hpp"
 #include "pliant/stream/imd_packets.hpp"
-#include "pliant/stream/sockets.hpp"
+#include "pliant/base/system/sockets.hpp"
 
 namespace pliant {
 
@@ -60,7 +60,7 @@ class ImdExchange {
   ImdSummary summary();
 
   // Called by the thread.
-  const Descriptor& woken() const { return wake_; }
+  const Wake& woken() const { return wake_; }
   bool is_finishing();
   /// Adds a client, which follows until end_client().
   ImdFollower& begin_client();
@@ -91,7 +91,7 @@ class ImdExchange {
 
   const Options options_;
   const std::shared_ptr<Steering> steering_;
-  const Descriptor wake_;
+  const Wake wake_;
   std::atomic<bool> is_killed_{false}, has_messages_{false};
   std::mutex mutex_;  ///< guards the following members
   std::condition_variable changed_;

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/stream/imd_packets.hpp"
 
-#include <arpa/inet.h>
-
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <limits>
 
 namespace pliant {
 namespace {
+
+std::uint32_t swapped_word(std::uint32_t word) {
+  return word >> 24 | (word >> 8 & 0xff00U) | (word << 8 & 0xff0000U) | word << 24;
+}
+
+/// From this machine's order of bytes to the network's, highest first, and back.
+std::uint32_t network_order(std::uint32_t word) {
+  return std::endian::native == std::endian::little ? swapped_word(word) : word;
+}
 
 /// Appends packets to bytes.
 class PacketWriter {
@@ -21,7 +29,7 @@ class PacketWriter {
   }
 
   void network_word(std::int32_t value) {
-    const std::uint32_t word = htonl(static_cast<std::uint32_t>(value));
+    const std::uint32_t word = network_order(static_cast<std::uint32_t>(value));
     append(&word, sizeof word);
   }
 
@@ -42,10 +50,6 @@ class PacketWriter {
   const ImdFormat& format_;
   Bytes& bytes_;
 };
-
-std::uint32_t swapped_word(std::uint32_t word) {
-  return word >> 24 | (word >> 8 & 0xff00U) | (word << 8 & 0xff0000U) | word << 24;
-}
 
 void write_time(PacketWriter& writer, const Frame& frame, double timestep) {
   writer.header(ImdType::time, 1);
@@ -122,7 +126,8 @@ void imd_coordinates(const ImdFormat& format, std::span<const Vec3> positions, B
 ImdHeader imd_header(const std::byte* bytes) {
   std::array<std::uint32_t, 2> words{};
   std::memcpy(words.data(), bytes, sizeof words);
-  return {static_cast<ImdType>(ntohl(words[0])), static_cast<std::int32_t>(ntohl(words[1]))};
+  return {static_cast<ImdType>(network_order(words[0])),
+          static_cast<std::int32_t>(network_order(words[1]))};
 }
 
 std::uint32_t imd_word(const ImdFormat& format, const std::byte* bytes) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/stream/imd_server.hpp"
 
-#include <poll.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -23,12 +21,20 @@ const ImdOptions& checked(const ImdOptions& options) {
   return options;
 }
 
-/// Milliseconds as poll() takes them: -1 is for ever.
+/// Milliseconds as wait_for() takes them: -1 is for ever.
 int milliseconds_until(ImdSession::Clock::time_point deadline) {
   if (deadline == ImdSession::Clock::time_point::max()) return -1;
   const auto left = deadline - ImdSession::Clock::now();
   const auto whole = std::chrono::ceil<std::chrono::milliseconds>(left).count();
   return static_cast<int>(std::clamp<std::int64_t>(whole, 0, std::numeric_limits<int>::max()));
+}
+
+Listener listen_for_clients(const ImdOptions& options) {
+  try {
+    return listen_on(options.host, options.port);
+  } catch (const FileError& error) {
+    throw FileError(std::string("IMD on ") + error.what());
+  }
 }
 
 }  // namespace
@@ -38,7 +44,7 @@ ImdServer::ImdServer(std::size_t joint_count, const ImdOptions& options,
     : options_(checked(options)),
       format_{options.version, options.swapped},
       joint_count_(joint_count),
-      listener_(listen_on(options.host, options.port)),
+      listener_(listen_for_clients(options)),
       exchange_({options.wait, options.kill, options.every, options.should_stop},
                 std::move(steering)),
       thread_([this] { serve(); }) {}
@@ -72,23 +78,22 @@ void ImdServer::serve() {
 
 /// Waits until there is something to do for a session, or for a new one, and does it.
 void ImdServer::turn(Sessions& sessions) {
-  const int knock =
-      exchange_.is_finishing() ? -1 : listener_.socket.get();  // -1: poll() passes over
-  std::vector<pollfd> waits{{exchange_.woken().get(), POLLIN, 0}, {knock, POLLIN, 0}};
+  const Socket::Handle knock = exchange_.is_finishing() ? Socket::none : listener_.socket.get();
+  std::vector<SocketEvents> waits{{exchange_.woken().to_wait_for()}, {knock}};
   auto deadline = ImdSession::Clock::time_point::max();
   for (const auto& session : sessions) {
-    waits.push_back({session->socket(), session->events(), 0});
+    waits.push_back(session->events());
     deadline = std::min(deadline, session->deadline());
   }
-  poll(waits.data(), waits.size(), milliseconds_until(deadline));
-  if (waits[0].revents != 0) sleep_again(exchange_.woken());
+  wait_for(waits, milliseconds_until(deadline));
+  if (waits[0].can_read) exchange_.woken().sleep_again();
   for (std::size_t k = 0; k < sessions.size(); ++k)
-    if (!goes_on(*sessions[k], waits[k + 2].revents)) sessions[k].reset();
+    if (!goes_on(*sessions[k], waits[k + 2])) sessions[k].reset();
   std::erase(sessions, nullptr);
-  if (waits[1].revents != 0) admit(sessions);
+  if (waits[1].can_read) admit(sessions);
 }
 
-bool ImdServer::goes_on(ImdSession& session, short found) {
+bool ImdServer::goes_on(ImdSession& session, const SocketEvents& found) {
   try {
     return session.step(found);
   } catch (const Error& error) {

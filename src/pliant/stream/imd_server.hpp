@@ -68,7 +68,7 @@ class ImdServer {
 
   void serve();
   void turn(Sessions& sessions);
-  bool goes_on(ImdSession& session, short found);
+  bool goes_on(ImdSession& session, const SocketEvents& found);
   void admit(Sessions& sessions);
 
   ImdOptions options_;

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/stream/imd_session.hpp"
 
-#include <poll.h>
-#include <sys/socket.h>
-#include <sys/uio.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <utility>
 
 #include "pliant/base/error.hpp"
@@ -17,13 +12,13 @@ namespace pliant {
 namespace {
 
 /// Both parts of what goes out, without the bytes that have gone.
-std::array<iovec, 2> left_of(ImdOutgoing& out, std::size_t sent) {
-  std::array<iovec, 2> parts{};
+std::array<Part, 2> left_of(const ImdOutgoing& out, std::size_t sent) {
+  std::array<Part, 2> parts{};
   std::size_t part = 0;
-  for (Bytes* bytes : {&out.head, out.body.get()}) {
+  for (const Bytes* bytes : {&out.head, static_cast<const Bytes*>(out.body.get())}) {
     if (bytes == nullptr) continue;
     const std::size_t gone = std::min(sent, bytes->size());
-    parts[part++] = {bytes->data() + gone, bytes->size() - gone};
+    parts[part++] = Part(*bytes).subspan(gone);
     sent -= gone;
   }
   return parts;
@@ -48,20 +43,20 @@ ImdSession::~ImdSession() {
   if (follower_ != nullptr) exchange_.end_client(*follower_);
 }
 
-short ImdSession::events() {
+SocketEvents ImdSession::events() {
   fill();
   // A client that has all there was for it is asked whether more would go out at once.
   const bool is_asked = phase_ == Phase::following && !is_ready_;
-  return static_cast<short>(has_more() || is_asked ? POLLIN | POLLOUT : POLLIN);
+  return {peer_.socket.get(), true, has_more() || is_asked};
 }
 
-bool ImdSession::step(short found) {
+bool ImdSession::step(const SocketEvents& found) {
   if (exchange_.is_finishing() && phase_ < Phase::flushing) {
     if (phase_ == Phase::greeting) return false;
     begin_finish();
   }
-  if ((found & (POLLIN | POLLHUP | POLLERR)) != 0 && !receive()) return false;
-  if ((found & POLLOUT) != 0 && !send()) return false;
+  if (found.can_read && !receive()) return false;
+  if (found.can_write && !send()) return false;
   return !is_late() || expire();
 }
 
@@ -79,7 +74,7 @@ void ImdSession::fill() {
     is_ready_ = false;
     took_ = Clock::now();
   } else if (phase_ == Phase::flushing) {
-    shutdown(peer_.socket.get(), SHUT_WR);
+    end_sending(peer_.socket);
     phase_ = Phase::draining;
     since_ = Clock::now();
   }
@@ -112,12 +107,11 @@ bool ImdSession::expire() const {
 
 bool ImdSession::receive() {
   std::array<std::byte, 65536> bytes{};
-  const ssize_t count = recv(peer_.socket.get(), bytes.data(), bytes.size(), 0);
-  if (count < 0) return errno == EAGAIN || errno == EINTR;
-  if (count == 0) return false;
+  const Transfer came = pliant::receive(peer_.socket, bytes);
+  if (came.count == 0) return came.is_open;
   if (phase_ >= Phase::flushing) return true;
   if (phase_ == Phase::following) since_ = Clock::now();
-  reader_.take({bytes.data(), static_cast<std::size_t>(count)});
+  reader_.take({bytes.data(), came.count});
   return obey();
 }
 
@@ -127,13 +121,9 @@ bool ImdSession::send() {
     if (is_ready_) exchange_.set_ready(*follower_);
     return true;
   }
-  std::array<iovec, 2> parts = left_of(out_, sent_);
-  msghdr message{};
-  message.msg_iov = parts.data();
-  message.msg_iovlen = parts.size();
-  const ssize_t count = sendmsg(peer_.socket.get(), &message, MSG_NOSIGNAL);
-  if (count < 0) return errno == EAGAIN || errno == EINTR;
-  sent_ += static_cast<std::size_t>(count);
+  const Transfer gone = send_parts(peer_.socket, left_of(out_, sent_));
+  if (gone.count == 0) return gone.is_open;
+  sent_ += gone.count;
   took_ = Clock::now();
   if (phase_ == Phase::flushing) since_ = took_;
   if (!has_more()) end_frame();

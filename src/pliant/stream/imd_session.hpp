@@ -34,15 +34,14 @@ class ImdSession {
   ImdSession& operator=(const ImdSession&) = delete;
 
   const std::string& name() const { return peer_.name; }
-  int socket() const { return peer_.socket.get(); }
 
-  /// The events that poll() should wait for. Takes the next frame when the last one has been sent.
-  short events();
+  /// What to wait for at its socket. Takes the next frame when the last one has been sent.
+  SocketEvents events();
   /// Latest time for the next step().
   Clock::time_point deadline() const;
   /// Handles the events `found` by poll(). Returns false if the session is over. Throws InputError
   /// for an invalid command.
-  bool step(short found);
+  bool step(const SocketEvents& found);
 
  private:
   enum class Phase { greeting, following, flushing, draining };

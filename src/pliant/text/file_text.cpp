@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/text/file_text.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
+#include <optional>
+#include <span>
 #include <system_error>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/descriptor.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/text/compression.hpp"
 
 namespace pliant {
@@ -24,41 +24,14 @@ namespace {
   fail_to_read(name, std::generic_category().message(errno));
 }
 
-/// An open file, closed with the object.
-class OpenFile {
- public:
-  explicit OpenFile(const std::string& name) : name_(name) {
-    do descriptor_ = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
-    while (descriptor_ < 0 && errno == EINTR);
-    if (descriptor_ < 0) fail_by_errno(name_);
-  }
-  ~OpenFile() { ::close(descriptor_); }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  /// Size of a regular file, 0 for pipes; refuses what has no end.
-  std::size_t expected_size() const {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) != 0) fail_by_errno(name_);
-    if (S_ISDIR(status.st_mode)) fail_to_read(name_, "Is a directory");
-    if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode))
-      fail_to_read(name_, "is a device, not a file");
-    return S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
-  }
-
-  /// Reads up to `count` bytes; 0 at the end.
-  std::size_t read(char* into, std::size_t count) const {
-    ssize_t got = 0;
-    do got = ::read(descriptor_, into, count);
-    while (got < 0 && errno == EINTR);
-    if (got < 0) fail_by_errno(name_);
-    return static_cast<std::size_t>(got);
-  }
-
- private:
-  std::string name_;
-  int descriptor_ = -1;
-};
+/// Size of a regular file, 0 for pipes; refuses what has no end.
+std::size_t expected_size(int descriptor, const std::string& name) {
+  const std::optional<FileFacts> facts = facts_of(descriptor);
+  if (!facts) fail_by_errno(name);
+  if (facts->kind == FileKind::folder) fail_to_read(name, "Is a directory");
+  if (facts->kind == FileKind::device) fail_to_read(name, "is a device, not a file");
+  return static_cast<std::size_t>(facts->size);
+}
 
 void check_size(std::size_t size, const std::string& name, std::size_t most) {
   if (size > most)
@@ -66,17 +39,20 @@ void check_size(std::size_t size, const std::string& name, std::size_t most) {
         at({name}, "is larger than " + megabytes(most) + ", the most that is read"));
 }
 
-std::string read_raw(const std::string& name, std::size_t most) {
-  const OpenFile file(name);
-  const std::size_t expected = file.expected_size();
+std::string read_raw(const std::filesystem::path& path, const std::string& name, std::size_t most) {
+  const Descriptor file = open_file(path, Opening::to_read);
+  if (!file) fail_by_errno(name);
+  const std::size_t expected = expected_size(file.get(), name);
   check_size(expected, name, most);
   std::string bytes;
   bytes.reserve(expected + 1);
   for (std::size_t size = 0;;) {
     const std::size_t room = std::max<std::size_t>(bytes.capacity() - size, 1 << 16);
     bytes.resize(size + room);
-    const std::size_t got = file.read(bytes.data() + size, room);
-    bytes.resize(size += got);
+    const auto got =
+        read_some(file.get(), std::as_writable_bytes(std::span(bytes)).subspan(size, room));
+    if (got < 0) fail_by_errno(name);
+    bytes.resize(size += static_cast<std::size_t>(got));
     if (got == 0) return bytes;
     check_size(size, name, most);
   }
@@ -106,16 +82,11 @@ void refuse_wide_encodings(const SourceText& source) {
 }  // namespace
 
 std::string read_bytes(const std::filesystem::path& path, std::size_t most) {
-  const std::string name = path.string();
-  std::string bytes = read_raw(name, most);
+  const std::string name = path_text(path);
+  std::string bytes = read_raw(path, name, most);
   if (const Compression* compression = compression_of(bytes))
     return expand(*compression, bytes, name, most);
   return bytes;
-}
-
-bool is_there(const std::filesystem::path& path) {
-  struct stat status {};
-  return ::stat(path.string().c_str(), &status) == 0;
 }
 
 std::string megabytes(std::size_t bytes) {

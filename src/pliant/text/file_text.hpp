@@ -35,9 +35,6 @@ inline constexpr std::size_t largest_text = std::size_t{1} << (sizeof(std::size_
 /// compressions and damaged files.
 std::string read_bytes(const std::filesystem::path& path, std::size_t most = usual_text);
 
-/// Whether there is a file, folder or pipe of this name. (WebAssembly has no std::filesystem.)
-bool is_there(const std::filesystem::path& path);
-
 /// "2000 MB", or "123 bytes" where it is no whole number of megabytes (10^6).
 std::string megabytes(std::size_t bytes);
 

@@ -1,85 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/text/output_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/file_lock.hpp"
+#include "pliant/base/system/path_text.hpp"
+#include "pliant/base/system/process.hpp"
 
 namespace pliant {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Locked bytes, where no file has data. The second tells who holds the first: only a traditional
-// lock knows its process, but it does not hold between two recorders of one process.
-constexpr off_t writer_byte = off_t{1} << 62;
-constexpr off_t process_byte = writer_byte + 1;
-
-struct Descriptor {
-  int value;
-  explicit Descriptor(int descriptor) : value(descriptor) {}
-  ~Descriptor() {
-    if (value >= 0) ::close(value);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-};
-
-std::string shown(const fs::path& path) { return printable_name(path.string()); }
+std::string shown(const fs::path& path) { return printable_name(path_text(path)); }
 
 [[noreturn]] void fail_with(const fs::path& path, const std::string& what, int error) {
   throw FileError(shown(path) + ": " + what + ": " + std::strerror(error));
 }
 
-struct flock write_lock(off_t byte) {
-  struct flock lock {};
-  lock.l_type = F_WRLCK;
-  lock.l_whence = SEEK_SET;
-  lock.l_start = byte;
-  lock.l_len = 1;
-  return lock;
-}
-
-enum class Locking { locked, held_by_another, has_no_locks };
-
-Locking lock_for_writing(int descriptor) {
-  struct flock writer = write_lock(writer_byte);
-  if (::fcntl(descriptor, F_OFD_SETLK, &writer) != 0)
-    return errno == EAGAIN || errno == EACCES ? Locking::held_by_another : Locking::has_no_locks;
-  struct flock process = write_lock(process_byte);
-  ::fcntl(descriptor, F_SETLK, &process);
-  return Locking::locked;
-}
-
-bool is_being_written(int descriptor) {
-  struct flock lock = write_lock(writer_byte);
-  return ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-}
-
-std::string holder_of(int descriptor) {
-  struct flock lock = write_lock(process_byte);
-  const bool is_known =
-      ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK && lock.l_pid > 0;
-  return is_known ? "process " + std::to_string(lock.l_pid) : "another recorder";
-}
-
 [[noreturn]] void refuse_as_busy(const fs::path& path, int descriptor) {
-  throw FileError(shown(path) + ": is being written by " + holder_of(descriptor));
+  throw FileError(shown(path) + ": is being written by " + lock_holder(descriptor));
 }
 
 void refuse_if_busy(const fs::path& path) {
-  const Descriptor existing(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (existing.value >= 0 && is_being_written(existing.value)) refuse_as_busy(path, existing.value);
+  const Descriptor existing = open_file(path, Opening::to_look);
+  if (existing && is_being_written(existing.get())) refuse_as_busy(path, existing.get());
 }
 
 [[noreturn]] void refuse_existing(const fs::path& path) {
@@ -120,14 +74,8 @@ fs::path resolved(const fs::path& target) {
 
 /// A hidden file beside the target. Without a number it is the same for all who write the target.
 fs::path temporary_name(const fs::path& target, const std::string& number) {
-  return target.parent_path() / ("." + target.filename().string() + number + ".partial");
-}
-
-bool is_same_file(int descriptor, const fs::path& path) {
-  struct stat opened {
-  }, named{};
-  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
-         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+  const std::string name = "." + path_text(target.filename()) + number + ".partial";
+  return target.parent_path() / path_of(name);
 }
 
 }  // namespace
@@ -146,14 +94,14 @@ OutputFile::OutputFile(const fs::path& target, bool overwrite)
 
 OutputFile::OutputFile(const fs::path& existing)
     : target_(resolved(existing)), overwrite_(true), published_(true) {
-  descriptor_ = ::open(target_.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor_ < 0) fail_with(target_, "cannot open it for writing", errno);
+  file_ = open_file(target_, Opening::to_change);
+  if (!file_) fail_with(target_, "cannot open it for writing", errno);
   try {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode))
-      throw FileError(target_.string() + ": is not a regular file");
-    if (lock_for_writing(descriptor_) == Locking::held_by_another)
-      refuse_as_busy(target_, descriptor_);
+    const std::optional<FileFacts> facts = facts_of(descriptor());
+    if (!facts || facts->kind != FileKind::regular)
+      throw FileError(shown(target_) + ": is not a regular file");
+    if (lock_for_writing(descriptor()) == Locking::held_by_another)
+      refuse_as_busy(target_, descriptor());
   } catch (...) {
     close();
     throw;
@@ -166,43 +114,41 @@ OutputFile::~OutputFile() { close(); }
 void OutputFile::create() {
   temporary_ = temporary_name(target_, "");
   for (;;) {
-    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (descriptor_ < 0)
-      fail_with(target_, "cannot write to " + shown(target_.parent_path()), errno);
-    const Locking locking = lock_for_writing(descriptor_);
+    open_temporary(Opening::to_make);
+    const Locking locking = lock_for_writing(descriptor());
     if (locking == Locking::has_no_locks) return create_apart();
     if (locking == Locking::held_by_another) {
-      const Descriptor busy(std::exchange(descriptor_, -1));
-      refuse_as_busy(target_, busy.value);
+      const Descriptor busy = std::exchange(file_, {});
+      refuse_as_busy(target_, busy.get());
     }
     // It may have been published or deleted between the two calls.
-    if (is_same_file(descriptor_, temporary_)) break;
-    ::close(std::exchange(descriptor_, -1));
+    if (is_same_file(descriptor(), temporary_)) break;
+    file_.close();
   }
-  std::error_code error;
-  if (fs::file_size(temporary_, error) > 0 && ::ftruncate(descriptor_, 0) != 0)
+  const std::optional<FileFacts> facts = facts_of(descriptor());
+  if (facts && facts->size > 0 && !resize_file(descriptor(), 0))
     fail_with(target_, "cannot write", errno);
+}
+
+void OutputFile::open_temporary(Opening opening) {
+  file_ = open_file(temporary_, opening);
+  if (!file_) fail_with(target_, "cannot write to " + shown(target_.parent_path()), errno);
 }
 
 /// Without locks each writer needs a name of its own.
 void OutputFile::create_apart() {
   static std::atomic<unsigned> count = 0;
-  ::close(std::exchange(descriptor_, -1));
-  ::unlink(temporary_.c_str());
+  file_.close();
+  remove_name(temporary_);
   temporary_ =
-      temporary_name(target_, "." + std::to_string(::getpid()) + "-" + std::to_string(count++));
-  ::unlink(temporary_.c_str());
-  descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail_with(target_, "cannot write to " + shown(target_.parent_path()), errno);
+      temporary_name(target_, "." + std::to_string(process_id()) + "-" + std::to_string(count++));
+  remove_name(temporary_);
+  open_temporary(Opening::to_make_anew);
 }
 
 void OutputFile::write(std::string_view text) const {
-  while (!text.empty()) {
-    const ssize_t count = ::write(descriptor_, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) fail_with(target_, "cannot write", count < 0 ? errno : ENOSPC);
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
+  if (!write_all(descriptor(), std::as_bytes(std::span(text))))
+    fail_with(target_, "cannot write", errno);
 }
 
 void OutputFile::publish() {
@@ -214,49 +160,35 @@ void OutputFile::publish() {
 
 /// Returns false when the name is taken.
 bool OutputFile::take_free_name() {
-  if (::link(temporary_.c_str(), target_.c_str()) == 0) {
-    ::unlink(temporary_.c_str());
-    return true;
-  }
-  if (errno == EEXIST) return false;
-  // A file system without hard links.
-  std::error_code error;
-  if (fs::exists(target_, error)) return false;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0)
-    fail_with(target_, "cannot rename " + shown(temporary_), errno);
-  return true;
+  if (take_name(temporary_, target_)) return true;
+  if (errno != EEXIST) fail_with(target_, "cannot rename " + shown(temporary_), errno);
+  return false;
 }
 
 /// Returns false when the name has become free, or another file's.
 bool OutputFile::replace_existing() {
   if (!overwrite_) refuse_existing(target_);
-  const Descriptor existing(::open(target_.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));
-  if (existing.value < 0 && errno == ENOENT) return false;
-  if (existing.value < 0) fail_with(target_, "cannot replace it", errno);
-  if (lock_for_writing(existing.value) == Locking::held_by_another)
-    refuse_as_busy(target_, existing.value);
-  if (!is_same_file(existing.value, target_)) return false;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0)
-    fail_with(target_, "cannot replace it", errno);
+  const Descriptor existing = open_file(target_, Opening::to_change);
+  if (!existing && errno == ENOENT) return false;
+  if (!existing) fail_with(target_, "cannot replace it", errno);
+  if (lock_for_writing(existing.get()) == Locking::held_by_another)
+    refuse_as_busy(target_, existing.get());
+  if (!is_same_file(existing.get(), target_)) return false;
+  if (!replace_name(temporary_, target_)) fail_with(target_, "cannot replace it", errno);
   return true;
 }
 
-void OutputFile::sync_name() const {
-  const Descriptor folder(
-      ::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.value >= 0) ::fsync(folder.value);
-}
+void OutputFile::sync_name() const { sync_names(target_.parent_path()); }
 
 void OutputFile::close() {
-  if (descriptor_ < 0) return;
-  if (!published_) ::unlink(temporary_.c_str());
-  ::close(descriptor_);
-  descriptor_ = -1;
+  if (!file_) return;
+  if (!published_) remove_name(temporary_);
+  file_.close();
 }
 
 std::string writer_of(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  return file.value >= 0 && is_being_written(file.value) ? holder_of(file.value) : "";
+  const Descriptor file = open_file(path, Opening::to_look);
+  return file && is_being_written(file.get()) ? lock_holder(file.get()) : "";
 }
 
 void make_folder(const fs::path& path) {

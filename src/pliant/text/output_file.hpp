@@ -6,12 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "pliant/base/system/descriptor.hpp"
+
 namespace pliant {
 
 /// A new file beside its final name, locked against other writers as long as it is open.
 ///
-/// The lock is an open file description lock (fcntl F_OFD_SETLK) far beyond the end of the file,
-/// which conflicts neither with readers nor with HDF5's own locks (flock). File systems without
+/// The lock is that of base/system/file_lock.hpp, which conflicts with no reader. File systems without
 /// locks give no such protection.
 class OutputFile {
  public:
@@ -28,7 +29,7 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return file_.get(); }
   /// Appends all of `text`. Throws FileError with the system's reason.
   void write(std::string_view text) const;
   const std::filesystem::path& target() const { return target_; }
@@ -43,6 +44,7 @@ class OutputFile {
  private:
   void create();
   void create_apart();
+  void open_temporary(Opening opening);
   bool replace_existing();
   bool take_free_name();
 
@@ -50,7 +52,7 @@ class OutputFile {
   std::filesystem::path temporary_;
   bool overwrite_;
   bool published_ = false;
-  int descriptor_ = -1;
+  Descriptor file_;
 };
 
 /// Who is writing the file now: "process 123", "another recorder" if the process is unknown, "" for

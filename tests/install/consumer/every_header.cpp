@@ -17,6 +17,8 @@
 #include "pliant/base/parameter.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/base/range.hpp"
+#include "pliant/base/system/descriptor.hpp"
+#include "pliant/base/system/sockets.hpp"
 #include "pliant/base/threads.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/base/version.hpp"
@@ -144,7 +146,6 @@
 #include "pliant/stream/imd_packets.hpp"
 #include "pliant/stream/imd_server.hpp"
 #include "pliant/stream/imd_session.hpp"
-#include "pliant/stream/sockets.hpp"
 #include "pliant/tasks/conformers_task.hpp"
 #include "pliant/tasks/rigidity_task.hpp"
 #include "pliant/tasks/sample_task.hpp"
@@ -193,6 +194,8 @@ const Use uses[] = {
     of_type<Parameter>("pliant/base/parameter.hpp"),
     of("pliant/base/random.hpp", &philox4x64),
     of("pliant/base/range.hpp", overload<bool(Range, double)>(&holds)),
+    of("pliant/base/system/descriptor.hpp", &open_file),
+    of("pliant/base/system/sockets.hpp", &listen_on),
     of_type<Mutex>("pliant/base/threads.hpp"),
     of_type<Vec3>("pliant/base/vec3.hpp"),
     of("pliant/base/version.hpp", &version),
@@ -213,7 +216,6 @@ const Use uses[] = {
     of("pliant/stream/imd_packets.hpp", &imd_greeting),
     of("pliant/stream/imd_server.hpp", &ImdServer::close),
     of("pliant/stream/imd_session.hpp", &ImdSession::step),
-    of("pliant/stream/sockets.hpp", &listen_on),
     of("pliant/text/file_text.hpp", &read_bytes),
     of("pliant/text/output_file.hpp", &write_text_file),
     of("pliant/molecule/bars_file.hpp", &write_bars_file),

@@ -12,21 +12,21 @@
 
 namespace pliant::test {
 
-std::pair<Descriptor, Descriptor> socket_pair() {
+std::pair<Socket, Socket> socket_pair() {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return {};
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
+  return {Socket(ends[0]), Socket(ends[1])};
 }
 
-Descriptor connect_to(int port) {
-  Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+Socket connect_to(int port) {
+  Socket socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   const auto* any = reinterpret_cast<const sockaddr*>(&address);
-  return connect(socket.get(), any, sizeof address) == 0 ? std::move(socket) : Descriptor();
+  return connect(static_cast<int>(socket.get()), any, sizeof address) == 0 ? std::move(socket) : Socket();
 }
 
 Bytes bytes_of(std::string_view hexadecimal) {
@@ -62,20 +62,20 @@ Bytes forces(std::int32_t count, const std::vector<std::int32_t>& atoms,
   return bytes;
 }
 
-void send_all(const Descriptor& socket, const Bytes& bytes) {
+void send_all(const Socket& socket, const Bytes& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
     const ssize_t count =
-        ::send(socket.get(), bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+        ::send(static_cast<int>(socket.get()), bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
     if (count <= 0) return;
     sent += static_cast<std::size_t>(count);
   }
 }
 
-Bytes receive(const Descriptor& socket, std::size_t count) {
+Bytes receive(const Socket& socket, std::size_t count) {
   Bytes bytes(count);
   std::size_t got = 0;
   while (got < count) {
-    const ssize_t more = recv(socket.get(), bytes.data() + got, count - got, 0);
+    const ssize_t more = recv(static_cast<int>(socket.get()), bytes.data() + got, count - got, 0);
     if (more <= 0) break;
     got += static_cast<std::size_t>(more);
   }
@@ -83,7 +83,7 @@ Bytes receive(const Descriptor& socket, std::size_t count) {
   return bytes;
 }
 
-Bytes receive_all(const Descriptor& socket) {
+Bytes receive_all(const Socket& socket) {
   Bytes all;
   for (Bytes some = receive(socket, 4096); !some.empty(); some = receive(socket, 4096))
     all = std::move(all) + some;

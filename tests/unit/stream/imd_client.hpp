@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "pliant/stream/imd_packets.hpp"
-#include "pliant/stream/sockets.hpp"
+#include "pliant/base/system/sockets.hpp"
 
 namespace pliant::test {
 
 /// Two sockets that talk to each other; the first does not block.
-std::pair<Descriptor, Descriptor> socket_pair();
+std::pair<Socket, Socket> socket_pair();
 
 /// Connects to a port of this machine.
-Descriptor connect_to(int port);
+Socket connect_to(int port);
 
 /// A number as eight hexadecimal digits name its bytes: "0000000a".
 Bytes bytes_of(std::string_view hexadecimal);
@@ -30,10 +30,10 @@ Bytes packet(ImdType type, std::int32_t value = 0);
 Bytes forces(std::int32_t count, const std::vector<std::int32_t>& atoms,
              const std::vector<float>& numbers);
 
-void send_all(const Descriptor& socket, const Bytes& bytes);
+void send_all(const Socket& socket, const Bytes& bytes);
 /// So many bytes, or fewer at the end of the stream.
-Bytes receive(const Descriptor& socket, std::size_t count);
+Bytes receive(const Socket& socket, std::size_t count);
 /// What comes until the other side ends.
-Bytes receive_all(const Descriptor& socket);
+Bytes receive_all(const Socket& socket);
 
 }  // namespace pliant::test

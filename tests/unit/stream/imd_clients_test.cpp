@@ -33,7 +33,7 @@ ImdOptions ended_by_clients() {
 TEST_F(ImdServers, ServeEightAtOnce) {
   serve(ended_by_clients());
   std::jthread walker([this] { run(for_ever); });
-  std::vector<Descriptor> clients;
+  std::vector<Socket> clients;
   for (int k = 0; k < 8; ++k) clients.push_back(follow());
   // The first reads nothing, the second one frame; the third pulls.
   const std::int64_t seen = step_of(next_frame(clients[1]));
@@ -62,7 +62,7 @@ TEST_F(ImdServers, GiveTheSameBitsWhoeverLooks) {
   run(2000);
   const State alone = state_;
   state_ = State{sketch_.positions};
-  std::vector<Descriptor> clients;
+  std::vector<Socket> clients;
   for (int k = 0; k < 8; ++k) clients.push_back(follow());
   while (server_->summary().clients < 8) std::this_thread::yield();
   run(2000);
@@ -70,7 +70,7 @@ TEST_F(ImdServers, GiveTheSameBitsWhoeverLooks) {
     for (const auto member : {&Vec3::x, &Vec3::y, &Vec3::z})
       EXPECT_EQ(std::bit_cast<std::uint64_t>(state_.positions[joint].*member),
                 std::bit_cast<std::uint64_t>(alone.positions[joint].*member));
-  for (const Descriptor& client : clients) EXPECT_LE(step_of(next_frame(client)), 2000);
+  for (const Socket& client : clients) EXPECT_LE(step_of(next_frame(client)), 2000);
   clients.clear();
   EXPECT_EQ(server_->close().clients, 8);
 }
@@ -82,9 +82,9 @@ TEST_F(ImdServers, DropWhoReadsNothingAndNobodyElse) {
   options.log.function = [&](Severity, std::string_view text) { warnings.emplace_back(text); };
   serve(options);
   // For whom nothing waits, nothing can be late.
-  const Descriptor seldom = follow();
+  const Socket seldom = follow();
   test::send_all(seldom, packet(ImdType::rate, for_ever));
-  const Descriptor dead = follow();
+  const Socket dead = follow();
   while (server_->summary().clients < 2) std::this_thread::yield();
   std::jthread walker([this] { run(for_ever); });
   while (server_->summary().refused == 0) std::this_thread::yield();
@@ -102,7 +102,7 @@ TEST_F(ImdServers, TurnAwayWhoIsOneTooMany) {
   options.most_clients = 2;
   options.log.function = [&](Severity, std::string_view text) { warnings.emplace_back(text); };
   serve(options);
-  std::vector<Descriptor> clients;
+  std::vector<Socket> clients;
   for (int k = 0; k < 2; ++k) clients.push_back(follow());
   EXPECT_TRUE(test::receive(test::connect_to(server_->port()), 1).empty()) << "closed at once";
   clients.pop_back();
@@ -131,7 +131,7 @@ TEST_F(ImdServers, AddUpThePullsOfAllAndForgetThoseOfWhoHasGone) {
     acting = push.forces;
   };
   std::jthread walker([this] { run(for_ever, true); });
-  const Descriptor watcher = follow();
+  const Socket watcher = follow();
   const auto wait_for = [&](const std::vector<JointForce>& expected) {
     const auto is_there = [&] {
       const std::lock_guard hold(mutex);
@@ -146,14 +146,14 @@ TEST_F(ImdServers, AddUpThePullsOfAllAndForgetThoseOfWhoHasGone) {
     for (int k = 0; k < 100'000 && !is_there(); ++k) next_frame(watcher);
     return is_there();
   };
-  Descriptor one = follow();
+  Socket one = follow();
   test::send_all(one, test::forces(1, {2}, {1, 0, 0}) + packet(ImdType::rate, for_ever));
   EXPECT_TRUE(wait_for({{2, {1, 0, 0}}}));
-  const Descriptor other = follow();
+  const Socket other = follow();
   test::send_all(other,
                  test::forces(2, {4, 2}, {0, 2, 0, 0, 0, 3}) + packet(ImdType::rate, for_ever));
   EXPECT_TRUE(wait_for({{2, {1, 0, 3}}, {4, {0, 2, 0}}}));
-  one = Descriptor();
+  one = Socket();
   EXPECT_TRUE(wait_for({{4, {0, 2, 0}}, {2, {0, 0, 3}}}));
   test::send_all(watcher, packet(ImdType::kill));
   walker.join();

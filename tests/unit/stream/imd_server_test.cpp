@@ -26,7 +26,7 @@ TEST_F(ImdServers, ShowEachStepToWhomTheyWaitFor) {
     run(300);
     server_->close();
   });
-  const Descriptor client = follow();
+  const Socket client = follow();
   for (std::int64_t step = 0; step <= 300; ++step) {
     const Bytes frame = test::receive(client, size_of_frame());
     ASSERT_EQ(frame.size(), size_of_frame());
@@ -45,9 +45,9 @@ TEST_F(ImdServers, ServeOneClientAfterAnother) {
   std::int64_t last = -1;
   // Closing a socket with frames in it that nobody read resets the connection, and the packet is
   // lost that was sent last: the client that ends the run stays until it has ended.
-  Descriptor ender;
+  Socket ender;
   for (int k = 0; k < 3; ++k) {
-    Descriptor client = follow();
+    Socket client = follow();
     const std::int64_t step = step_of(test::receive(client, size_of_frame()));
     EXPECT_GT(step, last);
     last = step;
@@ -68,8 +68,8 @@ TEST_F(ImdServers, WaitForNobodyWhoNeverSaysGo) {
   options.patience.finish = std::chrono::milliseconds(20);
   serve(options);
   std::jthread walker([this] { run(1'000'000'000); });
-  const Descriptor silent = greeted();
-  const Descriptor client = follow();
+  const Socket silent = greeted();
+  const Socket client = follow();
   EXPECT_EQ(step_of(test::receive(client, size_of_frame())), 0);
   test::send_all(client, packet(ImdType::kill));
   walker.join();
@@ -81,7 +81,7 @@ TEST_F(ImdServers, NeverWaitForAClientThatDoesNotRead) {
   ImdOptions options = on_any_port();
   options.patience.finish = std::chrono::milliseconds(20);
   serve(options);
-  const Descriptor client = follow();
+  const Socket client = follow();
   while (server_->summary().clients == 0) std::this_thread::yield();
   // Far more than what the system keeps for a client: 160 bytes a frame.
   std::int64_t steps = 0;
@@ -102,7 +102,7 @@ TEST_F(ImdServers, GoOnWhateverAClientSends) {
       test::forces(1, {77}, {0, 0, 0}), test::bytes_of("474554202f20485454502f312e310d0a"),
       packet(ImdType::handshake, 3),    packet(ImdType::go)};
   for (const Bytes& bytes : hostile) {
-    const Descriptor client = follow();
+    const Socket client = follow();
     test::send_all(client, bytes);
     run(10);
     test::receive_all(client);  // until it is dropped
@@ -136,7 +136,7 @@ TEST_F(ImdServers, PullAtJoints) {
     };
     pliant::run(framework_, state_, how, {});
   });
-  const Descriptor client = follow();
+  const Socket client = follow();
   test::send_all(client, test::forces(1, {2}, {0, 0, 1e6F}));
   float pulled = 0.0F;
   while (pulled == 0.0F) {

@@ -55,20 +55,20 @@ class ImdServers : public testing::Test {
   }
 
   /// Connected, without GO.
-  Descriptor greeted() const {
-    Descriptor client = connect_to(server_->port());
+  Socket greeted() const {
+    Socket client = connect_to(server_->port());
     const Bytes greeting = imd_greeting({3, false});
     EXPECT_EQ(receive(client, greeting.size()), greeting);
     return client;
   }
 
-  Descriptor follow() const {
-    Descriptor client = greeted();
+  Socket follow() const {
+    Socket client = greeted();
     send_all(client, packet(ImdType::go));
     return client;
   }
 
-  Bytes next_frame(const Descriptor& client) const { return receive(client, size_of_frame()); }
+  Bytes next_frame(const Socket& client) const { return receive(client, size_of_frame()); }
 
   /// Time, energies and coordinates with their heads.
   std::size_t size_of_frame() const { return 32 + 48 + 8 + 12 * framework_.joint_count(); }

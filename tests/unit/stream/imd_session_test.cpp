@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <poll.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -41,13 +40,12 @@ class ImdSessions : public testing::Test {
 
   /// What the server does for each session in turn.
   bool step() {
-    std::array<pollfd, 2> waits{
-        {{exchange_->woken().get(), POLLIN, 0}, {session_->socket(), session_->events(), 0}}};
+    std::array<SocketEvents, 2> waits{{{exchange_->woken().to_wait_for()}, session_->events()}};
     const auto left = std::chrono::ceil<Milliseconds>(session_->deadline() - Clock::now());
     const bool has_deadline = session_->deadline() != Clock::time_point::max();
-    poll(waits.data(), waits.size(), has_deadline ? std::max(0, int(left.count())) : -1);
-    if (waits[0].revents != 0) sleep_again(exchange_->woken());
-    return session_->step(waits[1].revents);
+    wait_for(waits, has_deadline ? std::max(0, int(left.count())) : -1);
+    if (waits[0].can_read) exchange_->woken().sleep_again();
+    return session_->step(waits[1]);
   }
 
   /// Steps of the session until it can be given a frame of this step of the run; gives it.
@@ -76,7 +74,7 @@ class ImdSessions : public testing::Test {
 
   std::shared_ptr<Steering> steering_ = std::make_shared<Steering>();
   std::unique_ptr<ImdExchange> exchange_;
-  Descriptor client_;
+  Socket client_;
   std::unique_ptr<ImdSession> session_;
   Bytes greeting_;
 };
@@ -98,7 +96,7 @@ TEST_F(ImdSessions, EndAtDisconnectAndWhenTheClientGoes) {
   EXPECT_FALSE(step());
   begin();
   follow();
-  client_ = Descriptor();
+  client_ = Socket();
   EXPECT_FALSE(step());
   session_.reset();
   EXPECT_FALSE(exchange_->wants(1)) << "nobody follows any more";
@@ -115,7 +113,7 @@ TEST_F(ImdSessions, HalfCloseAtTheEndAndSendWhatIsLeft) {
     session_.reset();
   });
   EXPECT_EQ(test::receive_all(client_).size(), 10u) << "the frame, then the end of the stream";
-  shutdown(client_.get(), SHUT_RDWR);
+  shutdown(static_cast<int>(client_.get()), SHUT_RDWR);
   server.join();
 }
 
@@ -153,7 +151,7 @@ TEST_F(ImdSessions, OfAClientThatGoesFreeTheRun) {
   send(packet(ImdType::pause));
   ASSERT_TRUE(step());
   std::thread run([&] { EXPECT_FALSE(exchange_->wants(1)); });
-  client_ = Descriptor();
+  client_ = Socket();
   EXPECT_FALSE(step());
   session_.reset();
   run.join();
@@ -243,9 +241,10 @@ TEST_F(ImdSessions, AreNotOverForAClientThatReadsNothingWhileItHoldsTheRun) {
   follow();
   show(0, large);
   send(packet(ImdType::pause));
-  session_->events();
+  SocketEvents said = session_->events();
+  said.can_read = true;
   EXPECT_NE(session_->deadline(), Clock::time_point::max());
-  EXPECT_TRUE(session_->step(POLLIN));
+  EXPECT_TRUE(session_->step(said));
   EXPECT_EQ(session_->deadline(), Clock::time_point::max());
   send(packet(ImdType::resume));
   EXPECT_EQ(refusal({}), "read nothing for 0.05 s");

@@ -4,10 +4,10 @@
 #include <hdf5.h>
 
 #include <cmath>
-#include <csignal>
 #include <cstring>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/signals.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_static.hpp"
 #include "pliant/record/hdf5/committed_driver.hpp"
@@ -38,30 +38,6 @@ std::size_t checked_joint_count(const Framework& framework) {
     throw InputError("a framework without joints has no trajectory");
   return framework.joint_count();
 }
-
-/// A write beyond the file size limit (RLIMIT_FSIZE) raises SIGXFSZ, which kills the process. The
-/// signal goes to the thread that writes: here it waits until it is taken away.
-class FileSizeSignalHeld {
- public:
-  FileSizeSignalHeld() {
-    sigemptyset(&signals_);
-    sigaddset(&signals_, SIGXFSZ);
-    pthread_sigmask(SIG_BLOCK, &signals_, &before_);
-  }
-  ~FileSizeSignalHeld() {
-    if (sigismember(&before_, SIGXFSZ) == 0) {
-      constexpr timespec at_once{0, 0};
-      while (sigtimedwait(&signals_, nullptr, &at_once) == SIGXFSZ) {
-      }
-    }
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  FileSizeSignalHeld(const FileSizeSignalHeld&) = delete;
-  FileSizeSignalHeld& operator=(const FileSizeSignalHeld&) = delete;
-
- private:
-  sigset_t signals_{}, before_{};
-};
 
 /// What a run goes on from, as a frame shows it.
 Frame frame_of(const State& state) {

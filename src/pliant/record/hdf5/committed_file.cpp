@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/record/hdf5/committed_file.hpp"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
+
+#include "pliant/base/system/descriptor.hpp"
+#include "pliant/base/system/process.hpp"
 
 namespace pliant {
 namespace {
@@ -62,10 +63,10 @@ void overlay(std::uint64_t block_address, std::span<const std::byte> block, std:
 }  // namespace
 
 CommittedFile::CommittedFile(int descriptor, bool durable)
-    : descriptor_(descriptor), durable_(durable), owner_(::getpid()) {
-  struct stat status {};
-  if (::fstat(descriptor_, &status) != 0) failure_ = errno;
-  known_end_ = committed_end_ = end_ = written_end_ = static_cast<std::uint64_t>(status.st_size);
+    : descriptor_(descriptor), durable_(durable), owner_(process_id()) {
+  const std::optional<FileFacts> facts = facts_of(descriptor_);
+  if (!facts) failure_ = errno;
+  known_end_ = committed_end_ = end_ = written_end_ = facts.value_or(FileFacts{}).size;
 }
 
 void CommittedFile::write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes) {
@@ -76,9 +77,7 @@ void CommittedFile::write(BlockKind kind, std::uint64_t address, std::span<const
 void CommittedFile::read(std::uint64_t address, std::span<std::byte> bytes) const {
   std::size_t done = 0;
   while (done < bytes.size()) {
-    const ssize_t count = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
-                                  static_cast<off_t>(address + done));
-    if (count < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t count = read_at(descriptor_, address + done, bytes.subspan(done));
     if (count <= 0) break;
     done += static_cast<std::size_t>(count);
   }
@@ -136,8 +135,7 @@ void CommittedFile::commit() {
   sync();
   if (failure_ != 0) {
     // The file is still as the last commit left it: what lies beyond only takes space.
-    [[maybe_unused]] const int ignored =
-        ::ftruncate(descriptor_, static_cast<off_t>(committed_end_));
+    static_cast<void>(resize_file(descriptor_, committed_end_));
     return;
   }
   for (auto at = in_place; at != order.end(); ++at) write_in_place(*at->entry);
@@ -155,7 +153,7 @@ void CommittedFile::make_room() {
   const std::uint64_t added = end_ > committed_end_ ? end_ - committed_end_ : 0;
   if (written_end_ >= end_ + added) return;
   const std::uint64_t room = std::max(room_factor * added, least_room);
-  if (may_write() && ::ftruncate(descriptor_, static_cast<off_t>(end_ + room)) == 0) {
+  if (may_write() && resize_file(descriptor_, end_ + room)) {
     written_end_ = end_ + room;
   } else if (written_end_ < end_) {
     resize(end_);
@@ -167,7 +165,7 @@ void CommittedFile::trim() {
 }
 
 void CommittedFile::sync() {
-  if (durable_ && may_write() && ::fdatasync(descriptor_) != 0) failure_ = errno;
+  if (durable_ && may_write() && !sync_contents(descriptor_)) failure_ = errno;
 }
 
 void CommittedFile::write_in_place(const Blocks::value_type& entry) {
@@ -182,8 +180,7 @@ void CommittedFile::write_in_place(const Blocks::value_type& entry) {
 /// their entries stand bounds of both neighbours.
 void CommittedFile::write_node(std::uint64_t address, std::span<const std::byte> bytes) {
   std::array<std::byte, node_head> before{};
-  [[maybe_unused]] const ssize_t count =
-      ::pread(descriptor_, before.data(), before.size(), static_cast<off_t>(address));
+  static_cast<void>(read_at(descriptor_, address, before));
   if (tree_level(bytes) > 0 || tree_level(before) > 0) return write_through(address, bytes);
   const bool grows = tree_entries(bytes) >= tree_entries(before);
   if (!grows) write_through(address, bytes.first(node_head));
@@ -202,26 +199,16 @@ void CommittedFile::write_backwards(std::uint64_t address, std::span<const std::
 
 void CommittedFile::resize(std::uint64_t size) {
   if (!may_write()) return;
-  if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) failure_ = errno;
+  if (!resize_file(descriptor_, size)) failure_ = errno;
   written_end_ = size;
 }
 
-bool CommittedFile::may_write() const { return failure_ == 0 && owner_ == ::getpid(); }
+bool CommittedFile::may_write() const { return failure_ == 0 && owner_ == process_id(); }
 
 void CommittedFile::write_through(std::uint64_t address, std::span<const std::byte> bytes) {
   if (!may_write()) return;
   written_end_ = std::max(written_end_, address + bytes.size());
-  while (!bytes.empty()) {
-    const ssize_t count =
-        ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(address));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) {
-      failure_ = count < 0 ? errno : EIO;
-      return;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-    address += static_cast<std::uint64_t>(count);
-  }
+  if (!write_all_at(descriptor_, address, bytes)) failure_ = errno;
 }
 
 }  // namespace pliant

@@ -23,8 +23,6 @@
 // tree.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -97,7 +95,7 @@ class CommittedFile {
   int descriptor_;
   bool durable_;
   bool shrinks_ = false;
-  pid_t owner_;  // a forked child holds the same descriptor and must leave the file alone
+  int owner_;  // a forked child holds the same descriptor and must leave the file alone
   std::uint64_t end_ = 0;
   std::uint64_t written_end_ = 0;
   std::uint64_t committed_end_ = 0;

@@ -2,25 +2,20 @@
 #include "pliant/record/hdf5/hdf5_probe.hpp"
 
 #include <hdf5.h>
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <csignal>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
+#include "pliant/base/system/process.hpp"
 #include "pliant/record/hdf5/hdf5_session.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr rlim_t most_seconds = 5;
+constexpr unsigned most_seconds = 5;
 constexpr int most_levels = 50;
 
 herr_t read_attribute(hid_t object, const char* name, const H5A_info_t*, void*) {
@@ -68,44 +63,19 @@ void look_at_group(hid_t group, int depth) {
 }
 
 void visit(const std::filesystem::path& path) {
-  const Hid file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Hid file(H5Fopen(path_text(path).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file) return;
   const Hid root(H5Oopen(file, "/", H5P_DEFAULT), H5Oclose);
   if (root) look_at(root, 0);
 }
 
-/// Fills memory that is asked for. HDF5 frees links that it did not get to read, of a list that is
-/// not initialized (H5G__dense_iterate, 1.10): what is there must crash here, not by chance later.
-void fill_memory() {
-#if defined(__GLIBC__)
-  ::mallopt(M_PERTURB, 0x5a);
-#endif
-}
-
-/// Runs in the process that may crash, and never returns.
-[[noreturn]] void look_at_all(const std::filesystem::path& path) {
-  const rlimit none{0, 0}, time{most_seconds, most_seconds};
-  ::setrlimit(RLIMIT_CORE, &none);
-  ::setrlimit(RLIMIT_CPU, &time);
-  for (const int crash : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU})
-    ::signal(crash, SIG_DFL);
-  fill_memory();
-  visit(path);
-  ::_exit(0);
-}
-
 }  // namespace
 
 void probe_hdf5(const std::filesystem::path& path) {
-  const pid_t child = ::fork();
-  if (child < 0) return;  // no process to be had: read without
-  if (child == 0) look_at_all(path);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFSIGNALED(status))
-    throw InputError("is damaged: HDF5 crashes when it reads it (signal " +
-                     std::to_string(WTERMSIG(status)) + ")");
+  const std::optional<int> crash = crash_in_copy([&] { visit(path); }, most_seconds);
+  if (crash.value_or(0) != 0)  // no process to be had: it is read without
+    throw InputError("is damaged: HDF5 crashes when it reads it (signal " + std::to_string(*crash) +
+                     ")");
 }
 
 }  // namespace pliant

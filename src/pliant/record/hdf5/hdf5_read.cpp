@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/hdf5/hdf5_probe.hpp"
 #include "pliant/record/hdf5/structure_check.hpp"
 
@@ -106,7 +107,7 @@ Hid open_hdf5(const std::filesystem::path& path) {
   if (!check_hdf5_structure(path)) probe_hdf5(path);
   const Hid access = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file properties");
   checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "choose how the file closes");
-  Hid file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+  Hid file(H5Fopen(path_text(path).c_str(), H5F_ACC_RDONLY, access), H5Fclose);
   if (!file) throw FileError(open_failure(hdf5_reason()));
   return file;
 }

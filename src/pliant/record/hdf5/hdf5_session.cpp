@@ -2,7 +2,6 @@
 #include "pliant/record/hdf5/hdf5_session.hpp"
 
 #include <hdf5.h>
-#include <pthread.h>
 
 #include <array>
 #include <chrono>
@@ -12,6 +11,7 @@
 #include <type_traits>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/process.hpp"
 
 namespace pliant {
 namespace {
@@ -54,7 +54,7 @@ void after_fork_in_child() {
 Hdf5Lock& hdf5_lock() {
   alignas(Hdf5Lock) static std::array<std::byte, sizeof(Hdf5Lock)> room;
   static Hdf5Lock* lock = [] {
-    ::pthread_atfork(before_fork, after_fork_in_parent, after_fork_in_child);
+    call_around_fork(before_fork, after_fork_in_parent, after_fork_in_child);
     return std::construct_at(reinterpret_cast<Hdf5Lock*>(room.data()));
   }();
   return *lock;

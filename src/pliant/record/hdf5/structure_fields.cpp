@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/record/hdf5/structure_fields.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
 #include "pliant/base/error.hpp"
 
@@ -61,29 +58,18 @@ void StructureFields::fail(std::string_view why) const {
 }
 
 StructureFile::StructureFile(const std::filesystem::path& path)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-  struct stat status {};
-  if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) {
-    const int error = errno;
-    if (descriptor_ >= 0) ::close(descriptor_);
-    throw FileError(std::string("cannot open: ") + std::strerror(error));
-  }
-  if (!S_ISREG(status.st_mode)) {
-    ::close(descriptor_);
-    throw FileError("is not a regular file");
-  }
-  size_ = static_cast<std::uint64_t>(status.st_size);
+    : file_(open_file(path, Opening::to_look)) {
+  const std::optional<FileFacts> facts = file_ ? facts_of(file_.get()) : std::nullopt;
+  if (!facts) throw FileError(std::string("cannot open: ") + std::strerror(errno));
+  if (facts->kind != FileKind::regular) throw FileError("is not a regular file");
+  size_ = facts->size;
 }
-
-StructureFile::~StructureFile() { ::close(descriptor_); }
 
 std::vector<std::byte> StructureFile::read(std::uint64_t address, std::size_t count) const {
   std::vector<std::byte> bytes(count);
   std::size_t done = 0;
   while (done < count) {
-    const ssize_t got =
-        ::pread(descriptor_, bytes.data() + done, count - done, static_cast<off_t>(address + done));
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = read_at(file_.get(), address + done, std::span(bytes).subspan(done));
     if (got < 0) throw FileError(std::string("cannot read: ") + std::strerror(errno));
     if (got == 0) throw InputError("is damaged: it has become shorter");
     done += static_cast<std::size_t>(got);

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/base/system/descriptor.hpp"
+
 namespace pliant {
 
 /// HDF5's address for "none", in eight bytes.
@@ -55,9 +57,6 @@ class StructureFile {
  public:
   /// Throws FileError.
   explicit StructureFile(const std::filesystem::path& path);
-  ~StructureFile();
-  StructureFile(const StructureFile&) = delete;
-  StructureFile& operator=(const StructureFile&) = delete;
 
   std::uint64_t size() const { return size_; }
   /// Returns bytes [address, address + count), which must lie within the file. Throws InputError if
@@ -65,7 +64,7 @@ class StructureFile {
   std::vector<std::byte> read(std::uint64_t address, std::size_t count) const;
 
  private:
-  int descriptor_ = -1;
+  Descriptor file_;
   std::uint64_t size_ = 0;
 };
 

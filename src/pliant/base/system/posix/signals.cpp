@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/base/system/signals.hpp"
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <ctime>
+
+namespace pliant {
+namespace {
+
+sigset_t file_size_signal() {
+  sigset_t signals{};
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGXFSZ);
+  return signals;
+}
+
+/// Takes away what waits. macOS has no sigtimedwait().
+void forget_waiting(const sigset_t& signals) {
+#if defined(__APPLE__)
+  sigset_t waiting{};
+  while (sigpending(&waiting) == 0 && sigismember(&waiting, SIGXFSZ) == 1) {
+    int taken = 0;
+    if (sigwait(&signals, &taken) != 0) return;
+  }
+#else
+  constexpr timespec at_once{0, 0};
+  while (sigtimedwait(&signals, nullptr, &at_once) == SIGXFSZ) {
+  }
+#endif
+}
+
+std::atomic<void (*)()> ask_to_end{nullptr};
+static_assert(std::atomic<void (*)()>::is_always_lock_free);
+
+void pass_on(int) { ask_to_end.load()(); }
+
+}  // namespace
+
+FileSizeSignalHeld::FileSizeSignalHeld() {
+  const sigset_t signals = file_size_signal();
+  sigset_t before{};
+  pthread_sigmask(SIG_BLOCK, &signals, &before);
+  was_held_ = sigismember(&before, SIGXFSZ) == 1;
+}
+
+FileSizeSignalHeld::~FileSizeSignalHeld() {
+  if (was_held_) return;
+  const sigset_t signals = file_size_signal();
+  forget_waiting(signals);
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+void fail_writes_alone() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void call_on_request_to_end(void (*ask)()) {
+  ask_to_end = ask;
+  // A shell starts background jobs with Ctrl-C ignored: it is meant for the job in front. nohup
+  // ignores the end of a terminal.
+  for (const int signal : {SIGINT, SIGHUP})
+    if (std::signal(signal, pass_on) == SIG_IGN) std::signal(signal, SIG_IGN);
+  std::signal(SIGTERM, pass_on);
+}
+
+}  // namespace pliant

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/base/system/descriptor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "pliant/base/system/path_text.hpp"
+#include "support/temp_directory.hpp"
+
+namespace pliant {
+namespace descriptor_test {
+
+using Bytes = std::span<const std::byte>;
+
+Bytes bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+/// A folder that goes with the test.
+class Descriptors : public testing::Test {
+ protected:
+  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+  std::string text(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+ private:
+  const test::TempDirectory folder_;
+};
+
+std::string read_from(int descriptor, std::uint64_t position, std::size_t count) {
+  std::string text(count, '?');
+  const auto got = read_at(descriptor, position, std::as_writable_bytes(std::span(text)));
+  return got < 0 ? std::strerror(errno) : text.substr(0, static_cast<std::size_t>(got));
+}
+
+TEST_F(Descriptors, WriteAndReadAtPositions) {
+  const Descriptor file = open_file(path("new"), Opening::to_make);
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(write_all(file.get(), bytes_of("abcdef")));
+  EXPECT_TRUE(write_all_at(file.get(), 2, bytes_of("XY")));
+  EXPECT_TRUE(write_all_at(file.get(), 8, bytes_of("z")));
+  EXPECT_EQ(text("new"), std::string("abXYef\0\0z", 9));
+  EXPECT_EQ(read_from(file.get(), 1, 4), "bXYe");
+  EXPECT_EQ(read_from(file.get(), 9, 4), "") << "the end";
+  EXPECT_TRUE(resize_file(file.get(), 3));
+  EXPECT_TRUE(sync_contents(file.get()));
+  EXPECT_EQ(text("new"), "abX");
+  EXPECT_EQ(facts_of(file.get())->size, 3u);
+}
+
+TEST_F(Descriptors, OpenWhatIsThereOrAnew) {
+  write("old", "old");
+  EXPECT_FALSE(open_file(path("none"), Opening::to_read));
+  EXPECT_EQ(errno, ENOENT);
+  EXPECT_FALSE(open_file(path("old"), Opening::to_make_anew));
+  EXPECT_EQ(errno, EEXIST);
+  EXPECT_EQ(read_from(open_file(path("old"), Opening::to_make).get(), 0, 9), "old");
+  EXPECT_EQ(read_from(open_file(path("old"), Opening::to_change).get(), 0, 9), "old");
+  const Descriptor anew = open_file(path("anew"), Opening::to_make_anew);
+  EXPECT_TRUE(is_there(path("anew")));
+  EXPECT_FALSE(is_there(path("none")));
+}
+
+TEST_F(Descriptors, SayWhatIsOpen) {
+  std::filesystem::create_directory(path("folder"));
+  write("file", "12345");
+  const auto kind = [&](const std::string& name) {
+    return facts_of(open_file(path(name), Opening::to_look).get())->kind;
+  };
+  EXPECT_EQ(kind("folder"), FileKind::folder);
+  EXPECT_EQ(kind("file"), FileKind::regular);
+  EXPECT_EQ(facts_of(open_file("/dev/null", Opening::to_look).get())->kind, FileKind::device);
+  EXPECT_FALSE(facts_of(-1));
+}
+
+TEST_F(Descriptors, TellAFileFromAnotherOfItsName) {
+  write("one", "1");
+  const Descriptor one = open_file(path("one"), Opening::to_read);
+  EXPECT_TRUE(is_same_file(one.get(), path("one")));
+  write("two", "2");
+  EXPECT_FALSE(is_same_file(one.get(), path("two")));
+  ASSERT_TRUE(replace_name(path("two"), path("one")));
+  EXPECT_FALSE(is_same_file(one.get(), path("one")));
+}
+
+TEST_F(Descriptors, TakeAndReplaceNames) {
+  write("a", "a");
+  write("b", "b");
+  EXPECT_FALSE(take_name(path("a"), path("b")));
+  EXPECT_EQ(errno, EEXIST);
+  EXPECT_TRUE(take_name(path("a"), path("c")));
+  EXPECT_FALSE(is_there(path("a")));
+  EXPECT_TRUE(replace_name(path("c"), path("b")));
+  EXPECT_EQ(text("b"), "a");
+  remove_name(path("b"));
+  remove_name(path("b"));
+  EXPECT_FALSE(is_there(path("b")));
+}
+
+TEST(PathText, KeepsEveryName) {
+  for (const char* name : {"", "a/b.pdb", "größe/名前.h5md", "\xf0\x9f\x94\xac"})
+    EXPECT_EQ(path_text(path_of(name)), name);
+}
+
+TEST(PathText, TakesTheWordsAfterTheFirst) {
+  std::string program = "pliant", one = "a b", two = "名";
+  std::array<char*, 3> words{program.data(), one.data(), two.data()};
+  EXPECT_EQ(command_words(3, words.data()), (std::vector<std::string>{"a b", "名"}));
+  EXPECT_TRUE(command_words(0, nullptr).empty());
+}
+
+}  // namespace descriptor_test
+}  // namespace pliant
