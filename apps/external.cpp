@@ -3,10 +3,10 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <optional>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/base/system/process.hpp"
 
@@ -21,7 +21,7 @@ fs::path own_path;  // empty: that of the executable
 fs::path own_folder() { return (own_path.empty() ? own_program() : own_path).parent_path(); }
 
 [[noreturn]] void fail_to_run(const fs::path& path) {
-  throw FileError(path_text(path) + ": cannot be run: " + std::strerror(errno));
+  throw FileError(path_text(path) + ": cannot be run: " + error_words(errno));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "output/json.hpp"
 #include "output/output_files.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/text/compression.hpp"
@@ -61,8 +62,8 @@ ForceFile force_file_of(const ForcegenSettings& settings, const Molecule& molecu
 }
 
 std::string default_output(const std::string& input) {
-  const std::filesystem::path name = std::filesystem::path(input).filename();
-  return without_compression_suffix(name).stem().string() + "-forces.txt";
+  const std::filesystem::path name = path_of(input).filename();
+  return path_text(without_compression_suffix(name).stem()) + "-forces.txt";
 }
 
 void print_summary(const ForcegenSettings& settings) {
@@ -96,7 +97,7 @@ int command_forcegen(const Arguments& arguments) {
   refuse_same_files(inputs_of(settings.molecule), {settings.output});
   Messages messages(settings.json);
   const Molecule molecule = load(settings.molecule, messages.log());
-  write_text_file(settings.output,
+  write_text_file(path_of(settings.output),
                   write_force_file(force_file_of(settings, molecule), molecule.framework),
                   settings.overwrite);
   print_summary(settings);

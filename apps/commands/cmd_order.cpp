@@ -9,6 +9,7 @@
 #include "output/output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/text/output_file.hpp"
@@ -83,7 +84,7 @@ int command_order(const Arguments& arguments) {
   const Molecule molecule = load(settings.molecule, messages.log());
   const Ordering ordering = ordering_of(settings, molecule.framework);
   const std::string text = write_ordering_file(ordering, molecule.framework);
-  if (!settings.output.empty()) write_text_file(settings.output, text, settings.overwrite);
+  if (!settings.output.empty()) write_text_file(path_of(settings.output), text, settings.overwrite);
   if (settings.json) {
     print_json(settings, molecule.framework, ordering);
   } else if (settings.output.empty()) {

@@ -15,6 +15,7 @@
 #include "output/rigidity_report.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/rigidity/rings_of_six.hpp"
 
 namespace pliant::app {
@@ -86,13 +87,12 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
 void refuse_input_as_output(const RigiditySettings& settings) {
   std::vector<std::string> outputs{settings.page};
   for (const std::string& name : rigidity_file_names(settings.dilution))
-    if (!settings.output.empty())
-      outputs.push_back((std::filesystem::path(settings.output) / name).string());
+    if (!settings.output.empty()) outputs.push_back(path_text(path_of(settings.output) / name));
   refuse_same_files(inputs_of(settings.molecule), outputs);
 }
 
 void dilute(RigidityReport& report) {
-  const std::string file = std::filesystem::path(report.file).filename().string();
+  const std::string file = path_text(path_of(report.file).filename());
   DrawnDilution drawn = draw_dilution(report, printable_name(file));
   report.dilution = std::move(drawn.rows);
   report.dilution_svg = std::move(drawn.svg);

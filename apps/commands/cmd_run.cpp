@@ -17,6 +17,7 @@
 #include "output/print_run.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/resolve/techniques.hpp"
 
@@ -50,7 +51,7 @@ void refuse_to_replace(const RunSettings& settings) {
   if (settings.record.overwrite) return;
   for (const std::string& output : outputs_of(settings)) {
     std::error_code error;
-    if (std::filesystem::is_regular_file(output, error))
+    if (std::filesystem::is_regular_file(path_of(output), error))
       throw FileError(printable_name(output) + ": exists; --overwrite replaces it");
   }
 }

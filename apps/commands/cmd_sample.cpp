@@ -17,6 +17,7 @@
 #include "output/sample_report.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/resume/recorded_sample.hpp"
 
@@ -48,7 +49,7 @@ void check_outputs(const SampleSettings& settings) {
   refuse_same_files(inputs_of(settings), outputs);
   for (const std::string& output : outputs) {
     std::error_code error;
-    if (!settings.record.overwrite && std::filesystem::is_regular_file(output, error))
+    if (!settings.record.overwrite && std::filesystem::is_regular_file(path_of(output), error))
       throw FileError(printable_name(output) + ": exists; --overwrite replaces it");
   }
 }

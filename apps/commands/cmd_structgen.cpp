@@ -7,6 +7,7 @@
 #include "options/structgen_settings.hpp"
 #include "output/json.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/record/xml/write_graph_xml.hpp"
 #include "pliant/text/output_file.hpp"
@@ -19,7 +20,8 @@ void write_one(const StructgenSettings& settings) {
   key.seed = settings.set.settings.seed;
   key.walker = std::uint64_t(settings.number);
   const GeneratedGraph graph = generate(kind, settings.set.settings.sizes, key);
-  write_text_file(settings.output, write_graph_xml(graph.framework, graph.positions, graph.cycles),
+  write_text_file(path_of(settings.output),
+                  write_graph_xml(graph.framework, graph.positions, graph.cycles),
                   settings.overwrite);
   const GraphFacts facts = graph_facts(graph.framework);
   if (settings.json)
@@ -43,7 +45,7 @@ Json set_as_json(const TestSet& set) {
     classes.push_back(
         {{"name", kind.name}, {"graphs", kind.graphs.size()}, {"heuristics", heuristics}});
   }
-  return {{"test_set", set.directory.string()},
+  return {{"test_set", path_text(set.directory)},
           {"seed", set.settings.seed},
           {"forces", set.settings.forces},
           {"classes", Json::array(classes)}};
@@ -58,7 +60,7 @@ void print_set(const TestSet& set) {
                set.settings.forces, kind.graphs[0].heuristics.size());
   }
   fmt::print("index           {}\n",
-             printable_name((set.directory / test_set_paths::index_file).string()));
+             printable_name(path_text(set.directory / test_set_paths::index_file)));
 }
 
 void write_set(StructgenSettings& settings) {
@@ -66,7 +68,7 @@ void write_set(StructgenSettings& settings) {
       settings.set.classes.empty() ? graph_classes().size() : settings.set.classes.size();
   ProgressBar progress(std::int64_t(classes) * settings.set.graphs, "graphs", settings.json);
   settings.set.on_graph = [&](std::int64_t done) { progress.show(done); };
-  const TestSet set = make_test_set(settings.directory, settings.set);
+  const TestSet set = make_test_set(path_of(settings.directory), settings.set);
   settings.json ? print_json(set_as_json(set)) : print_set(set);
 }
 

@@ -16,6 +16,7 @@
 #include "options/recorded_settings.hpp"
 #include "output/print_run.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/ensemble.hpp"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 bool is_there(const std::string& file) {
   std::error_code error;
-  return fs::exists(file, error);
+  return fs::exists(path_of(file), error);
 }
 
 /// The settings are those of the first walker that was begun.
@@ -38,9 +39,9 @@ std::int64_t first_begun(const RunSettings& settings) {
   const std::string name = output_of(settings, settings.first_walker);
   if (is_ensemble(settings))
     throw FileError(name + ": none of the files of these walkers is there");
-  const fs::path path(name);
-  const std::string of_walkers =
-      (path.parent_path() / (path.stem().string() + "-0" + path.extension().string())).string();
+  const fs::path path = path_of(name);
+  const std::string of_walkers = path_text(
+      path.parent_path() / path_of(path_text(path.stem()) + "-0" + path_text(path.extension())));
   throw FileError(name + ": is not there" +
                   (is_there(of_walkers)
                        ? ", but " + of_walkers + " is: give --walkers or --shard as in the run"
@@ -88,7 +89,7 @@ class ContinuedRun {
       watch(watchers, walker, begin(file, walker), 0);
       return watchers;
     }
-    H5mdCheckpoint from = read_checkpoint(file, steps_, log_);
+    H5mdCheckpoint from = read_checkpoint(path_of(file), steps_, log_);
     check_same_run(from, walker);
     const std::int64_t last_step = from.began + from.steps;
     if (from.last_step >= last_step) {
@@ -129,7 +130,7 @@ class ContinuedRun {
   /// A walker of the run that was never begun. Its file says what the others say.
   std::shared_ptr<H5mdRecorder> begin(const std::string& file, std::int64_t walker) const {
     if (pattern_.inputs.start.empty())
-      throw FileError(file + ": is not there, and " + pattern_.path.string() +
+      throw FileError(file + ": is not there, and " + path_text(pattern_.path) +
                       " does not say where walkers start");
     const H5mdReader reader(pattern_.path);
     H5mdHeader header;
@@ -147,7 +148,7 @@ class ContinuedRun {
     options.single = is_set("record/single");
     options.compress = is_set("record/compress");
     options.precision = recorded_precision();
-    return std::make_shared<H5mdRecorder>(file, pattern_.framework, header, options);
+    return std::make_shared<H5mdRecorder>(path_of(file), pattern_.framework, header, options);
   }
 
   double recorded_precision() const {
@@ -165,8 +166,8 @@ class ContinuedRun {
 
   void check_same_run(const H5mdCheckpoint& other, std::int64_t walker) const {
     const auto refuse = [&](const std::string& what) {
-      throw InputError(other.path.string() + ": is of another run than " + pattern_.path.string() +
-                       ": " + what + " differs");
+      throw InputError(path_text(other.path) + ": is of another run than " +
+                       path_text(pattern_.path) + ": " + what + " differs");
     };
     const auto& a = pattern_.framework;
     const auto& b = other.framework;
@@ -200,15 +201,15 @@ void check_steps(const H5mdCheckpoint& from, const Log& log) {
     throw OptionError(
         fmt::format("--steps {}: {} has {} steps already; steps are counted from the "
                     "start of the run",
-                    from.steps, from.path.string(), from.done));
+                    from.steps, path_text(from.path), from.done));
   if (from.last_step >= from.began + from.steps)
     log.note(fmt::format("{} has all of its {} steps; --steps N goes on up to step N",
-                         from.path.string(), from.steps));
+                         path_text(from.path), from.steps));
 }
 
 void refuse_samples(const H5mdCheckpoint& from) {
   if (from.is_sample())
-    throw InputError(from.path.string() +
+    throw InputError(path_text(from.path) +
                      ": holds frames of pliant sample: pliant sample --continue goes on with them");
 }
 
@@ -225,7 +226,7 @@ int continue_run(const CommandLine& line, RunSettings& settings) {
   std::optional<std::int64_t> steps;
   if (line.was_given("--steps")) steps = settings.run.steps;
   const std::string first = output_of(settings, first_begun(settings));
-  H5mdCheckpoint pattern = read_checkpoint(first, steps, log);
+  H5mdCheckpoint pattern = read_checkpoint(path_of(first), steps, log);
   refuse_samples(pattern);
   check_options_again(line, settings, pattern);
   check_steps(pattern, log);

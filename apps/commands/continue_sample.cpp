@@ -16,6 +16,7 @@
 #include "output/sample_report.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/measures/limit_counts.hpp"
 #include "pliant/resume/recorded_sample.hpp"
 
@@ -34,14 +35,14 @@ std::string recorded_text(const H5mdCheckpoint& from, const std::string& path) {
 H5mdCheckpoint read_sample(const CommandLine& line, const SampleSettings& settings,
                            const Log& log) {
   std::error_code error;
-  if (!std::filesystem::exists(settings.go_on, error))
+  if (!std::filesystem::exists(path_of(settings.go_on), error))
     throw FileError(printable_name(settings.go_on) + ": is not there");
   std::optional<std::int64_t> frames;
   if (line.was_given("--frames")) frames = settings.sample.frames;
-  H5mdCheckpoint from = read_checkpoint(settings.go_on, frames, log);
+  H5mdCheckpoint from = read_checkpoint(path_of(settings.go_on), frames, log);
   from.parameters = renewed(std::move(from.parameters));
   if (!from.is_sample())
-    throw InputError(from.path.string() +
+    throw InputError(path_text(from.path) +
                      ": holds steps of pliant run: pliant run --continue goes on with them");
   return from;
 }
@@ -70,7 +71,7 @@ void check_options_again(const CommandLine& line, SampleSettings given,
     throw OptionError(
         fmt::format("--frames {}: {} has {} frames already; frames are counted from "
                     "the start of the sample",
-                    recorded.steps, recorded.path.string(), recorded.done));
+                    recorded.steps, path_text(recorded.path), recorded.done));
 }
 
 SampleSummary add_frames(const SampleSettings& settings, const H5mdCheckpoint& from) {
@@ -109,7 +110,7 @@ int continue_sample(const CommandLine& line, SampleSettings& settings) {
   else
     messages.log().note(
         fmt::format("{} has all of its {} frames; --frames N goes on up to N in all",
-                    from.path.string(), from.steps));
+                    path_text(from.path), from.steps));
   SampledSystem system{recorded_text(from, "model/kind"), from.framework, from.inputs.start,
                        LimitCounter(from.framework.limits()).size()};
   if (std::string left_out = recorded_text(from, "model/left_out"); !left_out.empty())

@@ -12,6 +12,7 @@
 #include "options/molecule_fields.hpp"
 #include "output/frame_output.hpp"
 #include "output/recorded_header.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/resume/force_recorder.hpp"
 #include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/ensemble.hpp"
@@ -68,8 +69,8 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
   // Such a run may go on for days.
   const bool is_counted = shared.live != nullptr && replayed_steps(settings.run) == 0;
   return std::optional<ForceRecorder>(
-      std::in_place, of_walker(settings, settings.record_forces, walker), settings.record.overwrite,
-      shared.molecule.framework,
+      std::in_place, path_of(of_walker(settings, settings.record_forces, walker)),
+      settings.record.overwrite, shared.molecule.framework,
       force_file_of(settings.run, force_header_of(settings.molecule, shared.molecule), is_counted),
       is_counted ? std::optional(LiveRun::longest_step) : std::nullopt);
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "output/output_files.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 namespace pliant::app {
 namespace {
@@ -32,7 +33,7 @@ bool is_compressed(const std::string& name) {
 /// The extension in lower case, without that of a compression: ".sdf" of "X.SDF.gz".
 std::string format_of(const std::string& name) {
   if (!is_compressed(name)) return extension_of(name);
-  return extension_of(std::filesystem::path(name).stem().string());
+  return extension_of(path_text(path_of(name).stem()));
 }
 
 bool is_sdf(const std::string& name) {
@@ -49,7 +50,7 @@ bool is_smiles(const std::string& name) {
 /// molecule.
 bool has_more_records(const std::string& file) {
   std::string text(1'000'000, '\0');
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in(path_of(file), std::ios::binary);
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
   const std::size_t end = text.find("\n$$$$");

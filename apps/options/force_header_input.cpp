@@ -7,6 +7,7 @@
 #include "options/molecule_fields.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/stated_bars.hpp"
@@ -15,7 +16,7 @@ namespace pliant::app {
 namespace {
 
 std::string compared(std::string_view text, bool is_file) {
-  return is_file ? std::filesystem::path(text).filename().string() : std::string(text);
+  return is_file ? path_text(path_of(text).filename()) : std::string(text);
 }
 
 /// "--model protein", "--keep-waters".
@@ -135,7 +136,7 @@ void take_force_header(const CommandLine& line, RunSettings& settings) {
     if (settings.override_forces) throw OptionError("--override-forces: goes with --forces");
     return;
   }
-  settings.force_text = read_bytes(settings.forces);
+  settings.force_text = read_bytes(path_of(settings.forces));
   settings.force_header =
       read_force_header(without_byte_order_mark(settings.force_text), settings.forces);
   if (!settings.force_header->input.empty()) HeaderTaking(line, settings).take();

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 namespace pliant::app {
 namespace {
@@ -87,7 +88,7 @@ std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
           {"model/all_hydrogens", settings.all_hydrogens},
           {"model/protonate", comma_separated(settings.protonate)},
           {"model/floppy", settings.floppy},
-          {"model/contacts", std::filesystem::path(settings.contacts).filename().string()},
+          {"model/contacts", path_text(path_of(settings.contacts).filename())},
           {"model/more_contacts", comma_separated(settings.more_contacts)}};
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/prepare/select_part.hpp"
@@ -22,7 +23,8 @@ constexpr std::int64_t most_models = 1'000'000'000;
 /// All bytes of the file, expanded.
 std::string bytes_of(const MoleculeOptions& options) {
   try {
-    return read_bytes(options.file, static_cast<std::size_t>(options.max_input) * 1'000'000);
+    return read_bytes(path_of(options.file),
+                      static_cast<std::size_t>(options.max_input) * 1'000'000);
   } catch (const TooLargeError& error) {
     throw OptionError(std::string(error.what()) + "; --max-input allows more");
   }
@@ -41,7 +43,7 @@ Molecule load_graph(const MoleculeOptions& options, const Log& log) {
   const std::string bytes = bytes_of(options);
   GraphFile graph = parse_graph_xml({options.file, without_byte_order_mark(bytes)}, log);
   if (has_bars_file)
-    graph.framework = with_stated_bars(graph.framework, graph.positions, options.bars);
+    graph.framework = with_stated_bars(graph.framework, graph.positions, path_of(options.bars));
   Structure structure;
   structure.source = options.file;
   structure.format = "graph";
@@ -75,7 +77,7 @@ Molecule load_model(const MoleculeOptions& options, const Structure& structure, 
 }
 
 bool is_graph(const MoleculeOptions& options) {
-  return options.format.empty() && std::filesystem::path(options.file).extension() == ".xml";
+  return options.format.empty() && path_of(options.file).extension() == ".xml";
 }
 
 }  // namespace

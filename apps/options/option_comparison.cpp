@@ -8,6 +8,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 namespace pliant::app {
 namespace {
@@ -53,14 +54,14 @@ void refuse_options_of_a_new_file(const CommandLine& line, std::span<const char*
   for (const char* option : options)
     if (line.was_given(option))
       throw OptionError(std::string(option) + ": does not go with --continue, which adds to " +
-                        file.string());
+                        path_text(file));
 }
 
 void refuse_another_output(const CommandLine& line, const std::string& output,
                            const std::string& file) {
   std::error_code error;
-  if (line.was_given("--output") && !std::filesystem::equivalent(output, file, error) &&
-      output != file)
+  if (line.was_given("--output") &&
+      !std::filesystem::equivalent(path_of(output), path_of(file), error) && output != file)
     throw OptionError("--output " + output + ": --continue adds to " + file + " itself");
 }
 
@@ -76,7 +77,7 @@ void OptionComparison::check(const std::string& option, const std::string& path)
   const std::string name = option.starts_with("--") ? option : "FILE";
   throw OptionError(fmt::format("{}: is {} in the run of {}, not {}; a run goes on as it began",
                                 name, recorded ? std::visit(Shown(), *recorded) : "not set",
-                                recorded_.path.string(),
+                                path_text(recorded_.path),
                                 given ? std::visit(Shown(), *given) : "that"));
 }
 

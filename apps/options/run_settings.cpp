@@ -13,6 +13,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/run/run_fields.hpp"
 
@@ -73,7 +74,8 @@ void take_ordering(const CommandLine& line, RunSettings& settings, const Framewo
   if (technique.name != "input")
     throw OptionError("--ordering: goes with --technique input or none, not with " +
                       technique.name);
-  technique.ordering = std::make_shared<Ordering>(read_ordering_file(settings.ordering, framework));
+  technique.ordering =
+      std::make_shared<Ordering>(read_ordering_file(path_of(settings.ordering), framework));
 }
 
 /// Part of an ensemble, whose other walkers run elsewhere.
@@ -111,7 +113,7 @@ void name_live_forces(RunSettings& settings) {
   const bool can_be_kept =
       settings.guide.empty() && (settings.run.perturb == "force" || !settings.forces.empty());
   if (!settings.imd.is_asked || !settings.record_forces.empty() || !can_be_kept) return;
-  settings.record_forces = fs::path(settings.output).replace_extension(".forces").string();
+  settings.record_forces = path_text(path_of(settings.output).replace_extension(".forces"));
   settings.imd.keeps_forces_if_pulled = true;
 }
 
@@ -176,10 +178,10 @@ bool is_ensemble(const RunSettings& settings) {
 
 std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker) {
   if (!is_ensemble(settings)) return name;
-  const fs::path path(name);
+  const fs::path path = path_of(name);
   const std::string numbered =
-      path.stem().string() + "-" + std::to_string(walker) + path.extension().string();
-  return (path.parent_path() / numbered).string();
+      path_text(path.stem()) + "-" + std::to_string(walker) + path_text(path.extension());
+  return path_text(path.parent_path() / path_of(numbered));
 }
 
 std::string output_of(const RunSettings& settings, std::int64_t walker) {
@@ -199,16 +201,16 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
     values.emplace_back("run/edits", edits);
   if (settings.one_file) values.emplace_back("run/walkers", settings.walkers);
   values.insert(values.end(),
-                {{"input/file", fs::path(settings.molecule.file).filename().string()},
+                {{"input/file", path_text(path_of(settings.molecule.file).filename())},
                  {"input/model", settings.molecule.model},
                  {"input/select", settings.molecule.select},
                  {"input/assembly", settings.molecule.assembly},
-                 {"input/bars", fs::path(bars_of(settings.molecule)).filename().string()},
+                 {"input/bars", path_text(path_of(bars_of(settings.molecule)).filename())},
                  {"input/lengths", settings.molecule.lengths},
                  {"input/pin", settings.molecule.pin},
                  {"input/distance_bonds", settings.molecule.guess_distances},
-                 {"run/ordering", fs::path(settings.ordering).filename().string()},
-                 {"run/forces", fs::path(settings.forces).filename().string()}});
+                 {"run/ordering", path_text(path_of(settings.ordering).filename())},
+                 {"run/forces", path_text(path_of(settings.forces).filename())}});
   for (const auto& more : {pliant::parameters_of(settings.record, settings.save),
                            parameters_of(settings.molecule.kind), parameters_of(settings.guide)})
     values.insert(values.end(), more.begin(), more.end());

@@ -12,6 +12,7 @@
 #include "output/output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/prepare/largest_molecule.hpp"
 #include "pliant/molecule/drawing.hpp"
 #include "pliant/tasks/asked_amplitude.hpp"
@@ -145,7 +146,7 @@ std::vector<std::string> inputs_of(const SampleSettings& settings) {
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
   const MoleculeOptions& molecule = settings.molecule;
   std::vector<NamedParameter> all = pliant::parameters_of(settings.sample);
-  all.insert(all.end(), {{"input/file", std::filesystem::path(molecule.file).filename().string()},
+  all.insert(all.end(), {{"input/file", path_text(path_of(molecule.file).filename())},
                          {"input/model", molecule.model},
                          {"input/select", molecule.select},
                          {"input/assembly", molecule.assembly},

@@ -7,6 +7,7 @@
 #include "output/output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 namespace pliant::app {
 
@@ -62,11 +63,11 @@ void write_topology(const std::string& path, const Framework& framework, const H
   if (path == "none") return;
   const TopologyPdbOptions pdb = pdb_options(options);
   if (options.saved.empty())
-    return write_topology_pdb(path, *framework.atoms(), positions, header.bonds, pdb);
+    return write_topology_pdb(path_of(path), *framework.atoms(), positions, header.bonds, pdb);
   SavedPart part(framework, options.saved);
   Frame frame;
   frame.positions = positions;
-  write_topology_pdb(path, *part.framework().atoms(), part.shown(frame).positions,
+  write_topology_pdb(path_of(path), *part.framework().atoms(), part.shown(frame).positions,
                      part.bonds_of(header.bonds), pdb);
 }
 
@@ -95,21 +96,21 @@ FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
                          const H5mdHeader& header, const H5mdOptions& options,
                          SdfMolecule molecule) {
   if (is_sdf_name(output)) {
-    if (molecule.title.empty()) molecule.title = fs::path(output).stem().string();
-    sdf_.emplace(output, framework.atoms(), header.bonds, std::move(molecule),
+    if (molecule.title.empty()) molecule.title = path_text(path_of(output).stem());
+    sdf_.emplace(path_of(output), framework.atoms(), header.bonds, std::move(molecule),
                  SdfRecorder::Options{options.overwrite});
     return;
   }
   if (!is_pdb_name(output)) {
-    h5md_.emplace(output, framework, header, options);
+    h5md_.emplace(path_of(output), framework, header, options);
     return;
   }
   if (options.saved.empty()) {
-    pdb_.emplace(output, framework.atoms(), header.bonds, pdb_options(options));
+    pdb_.emplace(path_of(output), framework.atoms(), header.bonds, pdb_options(options));
     return;
   }
   part_.emplace(framework, options.saved);
-  pdb_.emplace(output, part_->framework().atoms(), part_->bonds_of(header.bonds),
+  pdb_.emplace(path_of(output), part_->framework().atoms(), part_->bonds_of(header.bonds),
                pdb_options(options));
 }
 

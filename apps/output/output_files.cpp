@@ -9,6 +9,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/text/compression.hpp"
 
 namespace pliant::app {
@@ -51,13 +52,13 @@ class SeenFiles {
   /// The earlier name of the same file, or "" and it is remembered.
   std::string add(const std::string& name) {
     std::error_code error;
-    const fs::file_status status = fs::status(name, error);
+    const fs::file_status status = fs::status(path_of(name), error);
     if (name.empty() || (fs::exists(status) && !fs::is_regular_file(status))) return {};
-    const auto [seen, is_new] = by_path_.emplace(end_of_links(name), name);
+    const auto [seen, is_new] = by_path_.emplace(end_of_links(path_of(name)), name);
     if (!is_new) return seen->second;
-    if (!fs::exists(status) || fs::hard_link_count(name, error) < 2) return {};
+    if (!fs::exists(status) || fs::hard_link_count(path_of(name), error) < 2) return {};
     for (const std::string& other : linked_)
-      if (fs::equivalent(name, other, error)) return other;
+      if (fs::equivalent(path_of(name), path_of(other), error)) return other;
     linked_.push_back(name);
     return {};
   }
@@ -84,20 +85,20 @@ void refuse_same_files(const std::vector<std::string>& inputs,
 }
 
 std::string default_trajectory(const std::string& input) {
-  return without_compression_suffix(fs::path(input).filename()).stem().string() + ".h5md";
+  return path_text(without_compression_suffix(path_of(input).filename()).stem()) + ".h5md";
 }
 
 std::string default_topology(const std::string& output, const std::string& input) {
-  const fs::path beside = fs::path(output).replace_extension(".pdb");
+  const fs::path beside = path_of(output).replace_extension(".pdb");
   std::error_code error;
-  const bool is_input = beside.lexically_normal() == fs::path(input).lexically_normal() ||
-                        fs::equivalent(beside, input, error);
-  if (!is_input) return beside.string();
-  return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
+  const bool is_input = beside.lexically_normal() == path_of(input).lexically_normal() ||
+                        fs::equivalent(beside, path_of(input), error);
+  if (!is_input) return path_text(beside);
+  return path_text(beside.parent_path() / path_of(path_text(beside.stem()) + "-topology.pdb"));
 }
 
 std::string extension_of(const std::string& name) {
-  std::string extension = fs::path(name).extension().string();
+  std::string extension = path_text(path_of(name).extension());
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return extension;
@@ -111,7 +112,7 @@ void check_trajectory_name(const std::string& output) {
   const std::string extension = extension_of(output);
   for (const ForeignName& foreign : foreign_names) {
     if (foreign.extension != extension) continue;
-    const std::string h5md = fs::path(output).replace_extension(".h5md").string();
+    const std::string h5md = path_text(path_of(output).replace_extension(".h5md"));
     const bool converts =
         std::find(convertible.begin(), convertible.end(), extension) != convertible.end();
     throw OptionError("--output " + printable_name(output) + ": is a name of " +

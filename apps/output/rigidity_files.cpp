@@ -7,6 +7,7 @@
 
 #include "output/rigidity_scripts.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/pdb_text.hpp"
 #include "pliant/text/output_file.hpp"
 
@@ -59,7 +60,7 @@ std::vector<std::string> rigidity_file_names(bool has_dilution) {
 
 void write_rigidity_folder(const std::string& folder, const RigidityReport& report, bool overwrite,
                            const Log& log) {
-  const std::filesystem::path path(folder);
+  const std::filesystem::path path = path_of(folder);
   const bool polymer = report.is_polymer();
   const std::vector<double> flexibility = flexibility_of_atoms(report);
   double most = 1.0;
@@ -80,7 +81,7 @@ void write_rigidity_folder(const std::string& folder, const RigidityReport& repo
   const auto names = rigidity_file_names(!report.dilution.empty());
   for (std::size_t k = 0; k < names.size(); ++k)
     write_text_file(path / names[k], texts[k], overwrite);
-  cuts.tell((path / names[0]).string(), log);
+  cuts.tell(path_text(path / names[0]), log);
 }
 
 }  // namespace pliant::app

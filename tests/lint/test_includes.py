@@ -39,7 +39,8 @@ MAY_INCLUDE = {
 # itself stands where ITSELF stands; where that is nowhere, last: it is the door of its wings.
 ITSELF = "itself"
 WINGS = {
-    "base": (ITSELF, "graphs", "math"),
+    "base": (ITSELF, "graphs", "math", "system"),
+    "base/system": (ITSELF, "posix", "windows"),
     "framework": (ITSELF, "measures"),
     "molecule": ("structure", "read", "bonds"),
     "molecule/read": ("shared", "pdb", "cif", "sdf", "xyz"),
@@ -200,6 +201,7 @@ def test_no_circle_of_units_is_large():
 
 
 # Sources that hold rows of a table which another header declares, or are compiled several times.
+SYSTEM = LIBRARY / "base" / "system"  # one source for each kind of system
 WITHOUT_HEADER = re.compile(r"examples_\w+\.cpp|families\.cpp|lane_level\.cpp")
 # Finders of contacts are declared by their rows.
 CONTACT_KINDS = (ROOT / "src" / "pliant" / "framework" / "contact_kind_rows.hpp").read_text()
@@ -213,6 +215,7 @@ def test_every_source_has_a_header_of_its_name():
             if not WITHOUT_HEADER.fullmatch(path.name)
             and f"find_{path.stem}," not in CONTACT_KINDS
             and not path.with_suffix(".hpp").exists()
+            and not (SYSTEM / path.name).with_suffix(".hpp").exists()
             and not path.with_name(path.stem + "_internal.hpp").exists()
         ]
     )

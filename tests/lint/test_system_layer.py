@@ -16,7 +16,9 @@ HEADER = re.compile(
     r"fcntl\.h|pthread\.h|poll\.h|netdb\.h|dlfcn\.h|spawn\.h|glob\.h|pwd\.h|termios\.h|malloc\.h|"
     r"io\.h|direct\.h|process\.h|windows\.h|winsock2?\.h|ws2tcpip\.h|shellapi\.h)>"
 )
-MACRO = re.compile(r"\b(__linux__|__APPLE__|__unix__|__GLIBC__|_WIN32|_WIN64|_MSC_VER|__MINGW\w+__)\b")
+MACRO = re.compile(
+    r"\b(__linux__|__APPLE__|__unix__|__GLIBC__|_WIN32|_WIN64|_MSC_VER|__MINGW\w+__)\b"
+)
 PLACE = re.compile(r'"/(proc|dev|sys|tmp|usr|etc)/')
 # On Windows the narrow text of a path has the code page of the machine, and may not exist at all.
 NARROW_PATH = re.compile(r"(\.|->)(generic_)?(string|u8string)\(\)|\bfs::path\(|filesystem::path\(")

@@ -5,6 +5,7 @@
 #include "arrays.hpp"
 #include "laboratory/test_parts.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/laboratory/make_test_set.hpp"
 #include "pliant/laboratory/read_test_set.hpp"
 #include "pliant/laboratory/test_set.hpp"
@@ -140,7 +141,7 @@ void bind_set(nb::module_& module) {
       "Graphs, forces, orderings and results in folders (thesis, figure 4.6).\n\n"
       "``read_test_set`` and ``write_test_set`` make it. For one thread.");
   set.def_prop_ro(
-         "directory", [](const TestSet& self) { return self.directory.string(); },
+         "directory", [](const TestSet& self) { return path_text(self.directory); },
          "The folder that results.xml is in.")
       .def_prop_ro("classes", &classes_of, nb::sig("def classes(self) -> list[TestClass]"),
                    "In the order of results.xml.")

@@ -3,6 +3,7 @@
 
 #include <nanobind/stl/filesystem.h>
 
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "resolve/orderings.hpp"
 #include "run/pushes.hpp"
@@ -57,9 +58,7 @@ void bind_graphs(nb::module_& module) {
   nb::class_<GraphPart>(module, "TestGraph", "A graph of a test set with its forces.")
       .def_prop_ro(
           "name",
-          [](const GraphPart& self) {
-            return std::filesystem::path(self.row->folder).filename().string();
-          },
+          [](const GraphPart& self) { return path_text(path_of(self.row->folder).filename()); },
           "\"graph-003\": its folder.")
       .def_prop_ro(
           "number", [](const GraphPart& self) { return self.row->number; },

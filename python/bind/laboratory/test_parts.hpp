@@ -4,6 +4,7 @@
 #pragma once
 
 #include "bind.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/laboratory/test_set.hpp"
 
 namespace pliant::python {
@@ -16,7 +17,7 @@ struct Part {
 
   /// The absolute path of a folder of the test set.
   std::string folder(const std::string& below) const {
-    return (nb::cast<TestSet&>(set).directory / below).string();
+    return path_text(nb::cast<TestSet&>(set).directory / below);
   }
 };
 

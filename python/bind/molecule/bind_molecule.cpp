@@ -8,6 +8,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/prepare/select_part.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
@@ -90,7 +91,7 @@ Framework framework_of(const Structure& structure, const std::filesystem::path& 
   options.use_masses = use_masses;
   options.log = python_log();
   const nb::gil_scoped_release no_gil;
-  take_bars(bars.string(), structure, options);
+  take_bars(path_text(bars), structure, options);
   return build_framework(structure, options);
 }
 

@@ -6,6 +6,7 @@
 #include "locked.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/resume/recorded_run.hpp"
 
@@ -17,9 +18,10 @@ H5mdCheckpoint opened(const std::filesystem::path& path, std::optional<std::int6
   const nb::gil_scoped_release no_gil;
   H5mdCheckpoint from = read_checkpoint(path, steps, log);
   if (from.is_sample())
-    throw InputError(path.string() + ": holds frames of sample: continue_sample goes on with them");
+    throw InputError(path_text(path) +
+                     ": holds frames of sample: continue_sample goes on with them");
   if (from.done > from.steps)
-    throw OptionError("steps = " + std::to_string(from.steps) + ": " + path.string() + " has " +
+    throw OptionError("steps = " + std::to_string(from.steps) + ": " + path_text(path) + " has " +
                       std::to_string(from.done) + " steps already");
   return from;
 }

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 namespace pliant::python {
 
@@ -19,7 +20,7 @@ using AskedAmplitude = std::variant<double, std::filesystem::path>;
 /// The text for asked_amplitude() of the library.
 inline std::string amplitude_text(const AskedAmplitude& asked) {
   const double* value = std::get_if<double>(&asked);
-  return value ? shortest_text(*value) : std::get<std::filesystem::path>(asked).string();
+  return value ? shortest_text(*value) : path_text(std::get<std::filesystem::path>(asked));
 }
 
 }  // namespace pliant::python

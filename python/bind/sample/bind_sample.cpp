@@ -11,6 +11,7 @@
 #include "option_fields.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/prepare/largest_molecule.hpp"
 #include "pliant/molecule/drawing.hpp"
@@ -135,10 +136,10 @@ nb::object continue_from(const std::filesystem::path& path, std::optional<std::i
     const nb::gil_scoped_release no_gil;
     const H5mdCheckpoint from = read_checkpoint(path, frames, log);
     if (!from.is_sample())
-      throw InputError(path.string() + ": holds steps of a run: continue_run goes on with them");
+      throw InputError(path_text(path) + ": holds steps of a run: continue_run goes on with them");
     if (from.done > from.steps)
-      throw OptionError("frames = " + std::to_string(from.steps) + ": " + path.string() + " has " +
-                        std::to_string(from.done) + " frames already");
+      throw OptionError("frames = " + std::to_string(from.steps) + ": " + path_text(path) +
+                        " has " + std::to_string(from.done) + " frames already");
     SampleOptions options = sample_options_from(from);
     options.threads = threads.value_or(all_cores());
     check(options);

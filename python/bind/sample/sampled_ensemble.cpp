@@ -8,6 +8,7 @@
 #include "arrays.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/resume/recorded_sample.hpp"
@@ -90,10 +91,10 @@ Frame SampledEnsemble::frame(std::size_t k) const {
 SampleOutput sample_output(const std::optional<std::filesystem::path>& path, bool overwrite,
                            bool single, bool compress, double precision, const std::string& save) {
   if (path && path->extension() != ".h5md" && path->extension() != ".h5")
-    throw OptionError("output " + path->string() +
+    throw OptionError("output " + path_text(*path) +
                       ": expected a name that ends in .h5md: pliant.sample(..., output=\"" +
-                      std::filesystem::path(*path).replace_extension(".h5md").string() +
-                      "\").save(\"" + path->string() + "\")");
+                      path_text(path->parent_path() / path->stem()) + ".h5md" + "\").save(\"" +
+                      path_text(*path) + "\")");
   return {path,
           {.single = single,
            .compress = compress,
@@ -108,7 +109,7 @@ H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& 
   H5mdHeader header = header_of(&model.structure);
   header.inputs = sample_inputs(task.start(), task.nodes());
   header.parameters = parameters_of(task.options());
-  const std::string file = std::filesystem::path(model.structure.source).filename().string();
+  const std::string file = path_text(path_of(model.structure.source).filename());
   header.parameters.insert(header.parameters.end(),
                            {{"input/file", file},
                             {"sample/amplitude_from", amplitude.source},

@@ -7,6 +7,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/record/xml/write_graph_xml.hpp"
 #include "pliant/resolve/resolve.hpp"
@@ -149,7 +150,7 @@ fs::path new_folder(const fs::path& directory) {
   make_folder(directory);
   std::error_code error;
   if (!fs::is_empty(directory, error) || error)
-    throw FileError(printable_name(directory.string()) + ": " +
+    throw FileError(printable_name(path_text(directory)) + ": " +
                     (error ? error.message() : "a test set is made in an empty folder"));
   return fs::canonical(directory);
 }

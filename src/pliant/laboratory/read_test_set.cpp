@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/record/xml/xml_document_internal.hpp"
 #include "pliant/resolve/techniques.hpp"
@@ -107,7 +108,7 @@ class Reader {
     xml_.expect_attributes(node, {"name", "number", "xml", "ordering"});
     expect(node, "number", std::to_string(number));
     const std::string folder = test_set_paths::graph_folder(kind.name, number);
-    expect(node, "name", fs::path(folder).filename().string());
+    expect(node, "name", path_text(path_of(folder).filename()));
     expect(node, "xml", folder + "/" + std::string(test_set_paths::graph_file));
     expect(node, "ordering", folder + "/" + std::string(test_set_paths::ordering_file));
     const fs::path inside = set_.directory / folder;
@@ -116,7 +117,7 @@ class Reader {
                     .graph = read_graph_xml(inside / test_set_paths::graph_file)};
     const Framework& framework = graph.graph.framework;
     const std::string fault = class_fault(kind, set_.settings.sizes, framework);
-    if (!fault.empty()) fail({(inside / test_set_paths::graph_file).string()}, fault);
+    if (!fault.empty()) fail({path_text(inside / test_set_paths::graph_file)}, fault);
     graph.ordering = read_ordering_file(inside / test_set_paths::ordering_file, framework);
     read_forces(node, graph);
     for (pugi::xml_node child : node.children("heuristic")) read_heuristic(child, graph);
@@ -141,16 +142,16 @@ class Reader {
 
   void check_forces(const fs::path& file, const ForceFile& forces, std::int64_t pushes) const {
     const TestSettings& settings = set_.settings;
-    if (!forces.counts.empty()) fail({file.string()}, "expected one push a step");
+    if (!forces.counts.empty()) fail({path_text(file)}, "expected one push a step");
     if (std::int64_t(forces.pushes.size()) != pushes)
-      fail({file.string()}, "expected " + std::to_string(pushes) + " pushes, as " +
-                                std::string(test_set_paths::index_file) + " has it, found " +
-                                std::to_string(forces.pushes.size()));
+      fail({path_text(file)}, "expected " + std::to_string(pushes) + " pushes, as " +
+                                  std::string(test_set_paths::index_file) + " has it, found " +
+                                  std::to_string(forces.pushes.size()));
     if (forces.timestep != settings.timestep || forces.tolerance ||
         forces.tolerance_length != settings.tolerance_length ||
         forces.max_sweeps != settings.max_sweeps)
-      fail({file.string()}, "expected the timestep, tolerance_length and max_sweeps of " +
-                                std::string(test_set_paths::index_file) + ", found others");
+      fail({path_text(file)}, "expected the timestep, tolerance_length and max_sweeps of " +
+                                  std::string(test_set_paths::index_file) + ", found others");
   }
 
   void read_heuristic(pugi::xml_node node, TestGraph& graph) const {
@@ -193,7 +194,7 @@ TestSet read_test_set(const fs::path& directory) {
   std::error_code error;
   const fs::path folder = fs::weakly_canonical(fs::absolute(directory, error), error);
   const fs::path index = folder / test_set_paths::index_file;
-  const std::string bytes = read_bytes(index), name = index.string();
+  const std::string bytes = read_bytes(index), name = path_text(index);
   const SourceText source{name, without_byte_order_mark(bytes)};
   return Reader(source, folder).read();
 }

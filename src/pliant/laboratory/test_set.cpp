@@ -5,6 +5,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/xml/xml_document_internal.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/text/output_file.hpp"
@@ -51,7 +52,7 @@ std::string heuristic_text(const TestGraph& graph, const TestHeuristic& heuristi
 
 std::string graph_text(const TestGraph& graph) {
   const std::string inside = graph.folder + "/";
-  std::string text = "    <graph" + attribute("name", fs::path(graph.folder).filename().string()) +
+  std::string text = "    <graph" + attribute("name", path_text(path_of(graph.folder).filename())) +
                      attribute("number", graph.number) +
                      attribute("xml", inside + std::string(test_set_paths::graph_file)) +
                      attribute("ordering", inside + std::string(test_set_paths::ordering_file)) +
@@ -161,7 +162,7 @@ std::vector<TestRow> TestSet::read_results(const TestPlace& place) const {
                       shortest_text(place.weighting) + " on " + graph.folder);
   const fs::path path =
       directory / test_set_paths::heuristic(graph, *heuristic) / test_set_paths::table_file;
-  const std::string bytes = read_bytes(path), name = path.string();
+  const std::string bytes = read_bytes(path), name = path_text(path);
   std::vector<TestRow> rows = parse_test_rows({name, bytes});
   if (rows.empty() || summary_of(rows) != *heuristic->results)
     fail({name}, "is not the table that " + std::string(test_set_paths::index_file) + " sums up");

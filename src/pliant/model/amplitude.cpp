@@ -11,6 +11,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/system/descriptor.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/atoms/residue_nodes.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
@@ -112,8 +113,9 @@ AmplitudeChoice choose_amplitude(std::string_view text, const Structure& structu
   if (const auto number = parse_real(text)) return given(*number);
   if (text == "bfactors") return b_factor_amplitude(structure, log);
   if (text == "plddt") refuse_confidence();
-  if (!is_there(text)) throw OptionError(std::string(expected) + "; found " + quoted(text));
-  return ensemble_amplitude(std::filesystem::path(text), structure, log);
+  if (!is_there(path_of(text)))
+    throw OptionError(std::string(expected) + "; found " + quoted(text));
+  return ensemble_amplitude(path_of(text), structure, log);
 }
 
 }  // namespace pliant

@@ -9,6 +9,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/math/superposition.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/atoms/residue_nodes.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/text/file_text.hpp"
@@ -126,7 +127,7 @@ AmplitudeChoice EnsembleFluctuation::choice(const std::string& source, const Log
 
 AmplitudeChoice ensemble_amplitude(const std::filesystem::path& path, const Structure& structure,
                                    const Log& log) {
-  const std::string name = path.string();
+  const std::string name = path_text(path);
   const std::string bytes = read_bytes(path);
   EnsembleFluctuation found(structure);
   std::size_t count = 1;

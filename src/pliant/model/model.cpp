@@ -8,6 +8,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/model/atoms/residue_chemistry.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
@@ -215,7 +216,8 @@ std::vector<MolecularContact> contacts_for(const Preparation& ready, const Model
   if (are_given && !options.more_contacts.empty())
     throw OptionError("more_contacts: goes with contacts that are found, not with given ones");
   if (options.contacts) return *options.contacts;
-  if (!options.contacts_file.empty()) return read_contacts(options.contacts_file, ready.structure);
+  if (!options.contacts_file.empty())
+    return read_contacts(path_of(options.contacts_file), ready.structure);
   return find_contacts(ready.structure, options, ready.floppy);
 }
 

@@ -7,6 +7,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/system/descriptor.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/text/file_text.hpp"
@@ -257,7 +258,7 @@ BarsFile parse_bars_file(const SourceText& source, const Framework& joints) {
 
 BarsFile read_bars_file(const std::filesystem::path& path, const Framework& joints) {
   const std::string bytes = read_bytes(path);
-  const std::string name = path.string();
+  const std::string name = path_text(path);
   return parse_bars_file({name, without_byte_order_mark(bytes)}, joints);
 }
 
@@ -272,7 +273,7 @@ std::string write_bars_file(const BarsFile& file, const Framework& joints) {
 bool is_bars_file(const std::string& bars) {
   const auto known = names_of(bar_choices);
   const bool is_name = std::find(known.begin(), known.end(), bars) != known.end();
-  return !is_name && is_there(bars);
+  return !is_name && is_there(path_of(bars));
 }
 
 void take_bars(const std::string& bars, const Structure& structure, BuildOptions& options) {
@@ -282,7 +283,7 @@ void take_bars(const std::string& bars, const Structure& structure, BuildOptions
   }
   const Framework joints({.joint_count = structure.size(),
                           .atoms = std::make_shared<const AtomTable>(structure.atoms)});
-  BarsFile file = read_bars_file(bars, joints);
+  BarsFile file = read_bars_file(path_of(bars), joints);
   options.bars = file.bars;
   options.stated = std::move(file.stated);
   options.stated_in = bars;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 namespace pliant {
 
@@ -54,7 +55,7 @@ Framework with_stated_bars(const Framework& framework, std::span<const Vec3> pos
   try {
     return Framework(parts_with(framework, positions, std::move(file)));
   } catch (const InputError& error) {
-    throw InputError(at({path.string()}, error.what()));
+    throw InputError(at({path_text(path)}, error.what()));
   }
 }
 

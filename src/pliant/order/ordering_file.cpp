@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/order/check_ordering.hpp"
@@ -102,7 +103,7 @@ Ordering parse_ordering_file(const SourceText& source, const Framework& framewor
 
 Ordering read_ordering_file(const std::filesystem::path& path, const Framework& framework) {
   const std::string bytes = read_bytes(path);
-  const std::string name = path.string();
+  const std::string name = path_text(path);
   return parse_ordering_file({name, without_byte_order_mark(bytes)}, framework);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/pdb_text.hpp"
 #include "pliant/text/output_file.hpp"
 
@@ -23,7 +24,7 @@ class PdbRecorder::Writer {
   }
 
   void record(std::span<const Vec3> positions) {
-    const std::string name = path().string() + ": ";
+    const std::string name = path_text(path()) + ": ";
     if (is_closed_) throw FileError(name + "is closed: no frame can be recorded");
     if (positions.size() != atoms_->size())
       throw InputError(name + std::to_string(positions.size()) + " positions for " +
@@ -46,7 +47,7 @@ class PdbRecorder::Writer {
       write_out();
       file_.publish();
       cuts_.bonds = pdb_.cuts().bonds;
-      cuts_.tell(path().string(), options_.log);
+      cuts_.tell(path_text(path()), options_.log);
     }
     file_.close();
   }

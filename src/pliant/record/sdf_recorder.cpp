@@ -6,6 +6,7 @@
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/text/output_file.hpp"
 
 namespace pliant {
@@ -52,7 +53,7 @@ class SdfRecorder::Writer {
   }
 
   void record(const Frame& frame) {
-    const std::string name = file_.target().string() + ": ";
+    const std::string name = path_text(file_.target()) + ": ";
     if (is_closed_) throw FileError(name + "is closed: no frame can be recorded");
     if (frame.positions.size() != atoms_->size())
       throw InputError(name + std::to_string(frame.positions.size()) + " positions for " +

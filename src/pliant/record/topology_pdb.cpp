@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/pdb_text.hpp"
 #include "pliant/text/output_file.hpp"
 
@@ -27,7 +28,7 @@ void write_topology_pdb(const std::filesystem::path& path, const AtomTable& atom
   OutputFile file(path, options.overwrite);
   file.write(pdb.text());
   file.publish();
-  pdb.cuts().tell(file.target().string(), options.log);
+  pdb.cuts().tell(path_text(file.target()), options.log);
 }
 
 }  // namespace pliant

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
 
@@ -129,7 +130,7 @@ RunOptions run_options_from(const H5mdCheckpoint& recorded) {
   try {
     return options_in(recorded);
   } catch (const Error& error) {
-    throw InputError(recorded.path.string() + ": its run cannot go on: " + error.what());
+    throw InputError(path_text(recorded.path) + ": its run cannot go on: " + error.what());
   }
 }
 

@@ -2,6 +2,7 @@
 #include "pliant/resume/recorded_sample.hpp"
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/tasks/sample_task.hpp"
 
@@ -41,7 +42,7 @@ SampleOptions sample_options_from(const H5mdCheckpoint& recorded) {
   try {
     return options_of(recorded);
   } catch (const Error& error) {
-    throw InputError(recorded.path.string() + ": its sample cannot go on: " + error.what());
+    throw InputError(path_text(recorded.path) + ": its sample cannot go on: " + error.what());
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 
@@ -10,9 +11,9 @@ namespace pliant {
 
 AmplitudeChoice asked_amplitude(const std::string& text, const Structure& structure,
                                 const Log& log) {
-  const std::filesystem::path extension = std::filesystem::path(text).extension();
+  const std::filesystem::path extension = path_of(text).extension();
   if (extension != ".h5md" && extension != ".h5") return choose_amplitude(text, structure, log);
-  return trajectory_amplitude(H5mdReader(text, {"", log}), text, structure, log);
+  return trajectory_amplitude(H5mdReader(path_of(text), {"", log}), text, structure, log);
 }
 
 }  // namespace pliant

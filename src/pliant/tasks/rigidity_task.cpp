@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/molecule/selection.hpp"
 
 namespace pliant {
@@ -72,8 +73,8 @@ MoleculeRigidity find_rigidity(ContactModel model, const RigidityAsked& asked) {
 }
 
 DrawnDilution draw_dilution(const MoleculeRigidity& found, const std::string& name) {
-  const std::filesystem::path file(found.model.structure.source);
-  const std::string title = name.empty() ? printable_name(file.filename().string()) : name;
+  const std::filesystem::path file = path_of(found.model.structure.source);
+  const std::string title = name.empty() ? printable_name(path_text(file.filename())) : name;
   return draw_dilution(found.model, found.rigidity.network, dilution_title(title));
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/text/bzip.hpp"
 #include "pliant/text/file_text.hpp"
 #include "pliant/text/gzip.hpp"
@@ -106,7 +107,7 @@ std::string expand(const Compression& compression, std::string_view bytes, std::
 }
 
 std::filesystem::path without_compression_suffix(const std::filesystem::path& path) {
-  std::string suffix = path.extension().string();
+  std::string suffix = path_text(path.extension());
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   const bool is_read = std::any_of(

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <optional>
 #include <span>
-#include <system_error>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
@@ -20,9 +19,7 @@ namespace {
   throw FileError("cannot read " + printable_name(name) + ": " + std::string(reason));
 }
 
-[[noreturn]] void fail_by_errno(const std::string& name) {
-  fail_to_read(name, std::generic_category().message(errno));
-}
+[[noreturn]] void fail_by_errno(const std::string& name) { fail_to_read(name, error_words(errno)); }
 
 /// Size of a regular file, 0 for pipes; refuses what has no end.
 std::size_t expected_size(int descriptor, const std::string& name) {

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,7 +23,7 @@ namespace fs = std::filesystem;
 std::string shown(const fs::path& path) { return printable_name(path_text(path)); }
 
 [[noreturn]] void fail_with(const fs::path& path, const std::string& what, int error) {
-  throw FileError(shown(path) + ": " + what + ": " + std::strerror(error));
+  throw FileError(shown(path) + ": " + what + ": " + error_words(error));
 }
 
 [[noreturn]] void refuse_as_busy(const fs::path& path, int descriptor) {
@@ -168,13 +167,14 @@ bool OutputFile::take_free_name() {
 /// Returns false when the name has become free, or another file's.
 bool OutputFile::replace_existing() {
   if (!overwrite_) refuse_existing(target_);
-  const Descriptor existing = open_file(target_, Opening::to_change);
+  Descriptor existing = open_file(target_, Opening::to_change);
   if (!existing && errno == ENOENT) return false;
   if (!existing) fail_with(target_, "cannot replace it", errno);
   if (lock_for_writing(existing.get()) == Locking::held_by_another)
     refuse_as_busy(target_, existing.get());
   if (!is_same_file(existing.get(), target_)) return false;
-  if (!replace_name(temporary_, target_)) fail_with(target_, "cannot replace it", errno);
+  if (!replace_name(temporary_, target_, std::move(existing)))
+    fail_with(target_, "cannot replace it", errno);
   return true;
 }
 

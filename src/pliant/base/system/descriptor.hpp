@@ -8,9 +8,13 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace pliant {
+
+/// What errno says, in words.
+std::string error_words(int error);
 
 /// Owns a file's descriptor.
 class Descriptor {
@@ -82,10 +86,12 @@ bool sync_contents(int descriptor);
 /// The same for the names in a folder, as far as the system can.
 void sync_names(const std::filesystem::path& folder);
 
-/// Gives a file another name, in place of a file that has it. Returns false when that fails.
+/// Gives a file another name, in place of a file that has it; `held` is open on that one, if
+/// anything is, and is closed. Returns false when that fails.
 ///
-/// On Windows it fails where another program has that file open and does not allow it.
-bool replace_name(const std::filesystem::path& from, const std::filesystem::path& to);
+/// On Windows it fails where another program has that file open and does not share it.
+bool replace_name(const std::filesystem::path& from, const std::filesystem::path& to,
+                  Descriptor held = {});
 /// The same, but fails with EEXIST when the name is taken. Where a file system has no hard links,
 /// two that take a name at the same moment may both get it.
 bool take_name(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -9,6 +9,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/model/atoms/atom_words.hpp"
 #include "pliant/model/contacts/json_rows.hpp"
 #include "pliant/text/text_lines.hpp"
@@ -291,7 +292,7 @@ std::vector<MolecularContact> parse_contacts(const SourceText& source, const Str
 std::vector<MolecularContact> read_contacts(const std::filesystem::path& path,
                                             const Structure& structure) {
   const std::string bytes = read_bytes(path);
-  const std::string name = path.string();
+  const std::string name = path_text(path);
   return parse_contacts({name, without_byte_order_mark(bytes)}, structure);
 }
 

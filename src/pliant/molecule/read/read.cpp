@@ -7,6 +7,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/letters.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/molecule/read/cif/mmcif.hpp"
 #include "pliant/molecule/read/foreign.hpp"
 #include "pliant/molecule/read/pdb/pdb.hpp"
@@ -34,7 +35,7 @@ const std::array<Format, 4> table{{
 
 /// The extension in lower case, below that of a compression: ".pdb" of "1ABC.PDB.gz".
 std::string extension_of(std::string_view name) {
-  return without_compression_suffix(lower_case(name)).extension().string();
+  return path_text(without_compression_suffix(path_of(lower_case(name))).extension());
 }
 
 const Format* format_by_extension(std::string_view name) {
@@ -102,7 +103,7 @@ std::span<const Format> formats() { return table; }
 Structure read_structure(const std::filesystem::path& path, const ReadOptions& options) {
   check(options);
   const std::string bytes = read_bytes(path, options.max_input);
-  const std::string name = path.string();
+  const std::string name = path_text(path);
   return read_structure(SourceText{name, bytes}, options);
 }
 

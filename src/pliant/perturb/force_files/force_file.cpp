@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/perturb/force_files/force_header_reader.hpp"
@@ -164,8 +165,8 @@ ForceFile parse_force_file(std::string_view text, std::string_view file_name,
 
 ForceFile read_force_file(const std::filesystem::path& path, const Framework& framework) {
   const std::string bytes = read_bytes(path);
-  ForceFile file = parse_force_file(without_byte_order_mark(bytes), path.string(), framework);
-  check_fit(file.header, framework, path.string());
+  ForceFile file = parse_force_file(without_byte_order_mark(bytes), path_text(path), framework);
+  check_fit(file.header, framework, path_text(path));
   return file;
 }
 

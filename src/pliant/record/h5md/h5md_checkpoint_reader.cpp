@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/h5md/h5md_checkpoint.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_static.hpp"
@@ -221,7 +222,7 @@ H5mdCheckpoint read_checkpoint(const std::filesystem::path& path, std::optional<
                                const Log& log) {
   const Hdf5Session session;
   const auto named = [&](const Error& error) {
-    const std::string text = error.what(), name = path.string() + ": ";
+    const std::string text = error.what(), name = path_text(path) + ": ";
     return text.starts_with(name) ? text : name + text;
   };
   try {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/record/h5md/h5md_frame_reader.hpp"
 #include "pliant/record/h5md/h5md_static_reader.hpp"
 #include "pliant/record/hdf5/while_written.hpp"
@@ -17,14 +18,14 @@ class H5mdReader::File {
   auto guarded(Read read) {
     const Hdf5Session session;
     bool is_again = false;
-    return while_written(name_, [&] {
+    return while_written(path_, [&] {
       if (std::exchange(is_again, true)) open();
       return read();
     });
   }
 
   File(const std::filesystem::path& path, H5mdReadOptions options)
-      : name_(path.string()), options_(std::move(options)) {
+      : path_(path), name_(path_text(path)), options_(std::move(options)) {
     guarded([&] {
       if (!frames_) open();
     });
@@ -41,7 +42,7 @@ class H5mdReader::File {
   void open() {
     release();
     try {
-      hdf5_ = open_hdf5(name_);
+      hdf5_ = open_hdf5(path_);
       frames_.emplace(hdf5_, options_.group, name_, options_.log);
     } catch (...) {
       release();
@@ -53,6 +54,7 @@ class H5mdReader::File {
     hdf5_.reset();
   }
 
+  std::filesystem::path path_;
   std::string name_;
   H5mdReadOptions options_;
   Hid hdf5_;

@@ -4,9 +4,10 @@
 #include <hdf5.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/descriptor.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/base/system/signals.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_static.hpp"
@@ -148,7 +149,7 @@ H5mdWriter::~H5mdWriter() {
 
 void H5mdWriter::record(const Frame& frame) {
   throw_if_failed();
-  if (!hdf5_) throw FileError(path().string() + ": is closed: no frame can be recorded");
+  if (!hdf5_) throw FileError(path_text(path()) + ": is closed: no frame can be recorded");
   if (frame.step <= known_to_) return check_known_frame(frame);
   check_frame(frame);
   series_->add(part_ ? part_->shown(frame) : frame);
@@ -166,7 +167,7 @@ void H5mdWriter::record(const Frame& frame) {
 
 void H5mdWriter::check_frame(const Frame& frame) const {
   const auto where = [&] {
-    return path().string() + ": frame of step " + std::to_string(frame.step);
+    return path_text(path()) + ": frame of step " + std::to_string(frame.step);
   };
   if (frame.positions.size() != joint_count_)
     throw InputError(where() + " has " + std::to_string(frame.positions.size()) +
@@ -186,7 +187,7 @@ void H5mdWriter::check_known_frame(const Frame& frame) {
   if (frame.step != known_to_) return;
   const Hdf5Session session;
   if (!series_->last_is(frame.positions))
-    throw FileError(path().string() + ": the frame of step " + std::to_string(frame.step) +
+    throw FileError(path_text(path()) + ": the frame of step " + std::to_string(frame.step) +
                     " is not what the run gives now: it was written by another version of Pliant");
 }
 
@@ -256,10 +257,8 @@ void H5mdWriter::publish() {
 
 /// The system's reason, where there is one, says more than what HDF5 made of it.
 void H5mdWriter::fail(const std::string& reason) {
-  failure_ =
-      output_.target().string() + ": " +
-      (file_.failure() == 0 ? reason
-                            : "cannot write: " + std::string(std::strerror(file_.failure())));
+  failure_ = path_text(output_.target()) + ": " +
+             (file_.failure() == 0 ? reason : "cannot write: " + error_words(file_.failure()));
   if (committed_frames_ > 0)
     failure_ += "; the file holds the first " + std::to_string(committed_frames_) + " frames";
   release();

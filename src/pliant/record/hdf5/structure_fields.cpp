@@ -60,7 +60,7 @@ void StructureFields::fail(std::string_view why) const {
 StructureFile::StructureFile(const std::filesystem::path& path)
     : file_(open_file(path, Opening::to_look)) {
   const std::optional<FileFacts> facts = file_ ? facts_of(file_.get()) : std::nullopt;
-  if (!facts) throw FileError(std::string("cannot open: ") + std::strerror(errno));
+  if (!facts) throw FileError("cannot open: " + error_words(errno));
   if (facts->kind != FileKind::regular) throw FileError("is not a regular file");
   size_ = facts->size;
 }
@@ -70,7 +70,7 @@ std::vector<std::byte> StructureFile::read(std::uint64_t address, std::size_t co
   std::size_t done = 0;
   while (done < count) {
     const std::ptrdiff_t got = read_at(file_.get(), address + done, std::span(bytes).subspan(done));
-    if (got < 0) throw FileError(std::string("cannot read: ") + std::strerror(errno));
+    if (got < 0) throw FileError("cannot read: " + error_words(errno));
     if (got == 0) throw InputError("is damaged: it has become shorter");
     done += static_cast<std::size_t>(got);
   }

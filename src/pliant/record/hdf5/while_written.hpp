@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/text/output_file.hpp"
 
 namespace pliant {
@@ -26,7 +27,7 @@ auto while_written(const std::filesystem::path& path, const Read& read) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds patience{2000}, pause{20};
   const Clock::time_point deadline = Clock::now() + patience;
-  const std::string name = path.string() + ": ";
+  const std::string name = path_text(path) + ": ";
   for (bool is_last = false;; std::this_thread::sleep_for(pause)) {
     const auto fail = [&]<class Failure>(const Failure& error, bool may_pass) {
       const std::string writer = writer_of(path);

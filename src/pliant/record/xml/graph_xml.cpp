@@ -8,6 +8,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/measures/feasibility.hpp"
 #include "pliant/record/xml/xml_document_internal.hpp"
 
@@ -196,7 +197,7 @@ GraphFile parse_graph_xml(const SourceText& source, const Log& log) {
 
 GraphFile read_graph_xml(const std::filesystem::path& path, const Log& log) {
   const std::string bytes = read_bytes(path);
-  const std::string name = path.string();
+  const std::string name = path_text(path);
   return parse_graph_xml({name, without_byte_order_mark(bytes)}, log);
 }
 

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <system_error>
 #include <utility>
 
 namespace pliant {
@@ -61,6 +62,8 @@ bool write_whole(std::span<const std::byte> bytes, Write write) {
 }
 
 }  // namespace
+
+std::string error_words(int error) { return std::generic_category().message(error); }
 
 void Descriptor::close() {
   if (number_ >= 0) ::close(std::exchange(number_, -1));
@@ -129,7 +132,9 @@ void sync_names(const std::filesystem::path& folder) {
   if (opened) ::fsync(opened.get());
 }
 
-bool replace_name(const std::filesystem::path& from, const std::filesystem::path& to) {
+/// The lock that `held` may have lasts until the file has lost its name.
+bool replace_name(const std::filesystem::path& from, const std::filesystem::path& to,
+                  Descriptor /*held*/) {
   return std::rename(from.c_str(), to.c_str()) == 0;
 }
 

@@ -16,6 +16,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <span>
 #include <system_error>
 
 #include "pliant/base/system/descriptor.hpp"
@@ -44,6 +45,13 @@ void fill_new_memory() {
   fill_new_memory();
   task();
   ::_exit(0);
+}
+
+/// Writes as far as the reader takes it: one that ends early says why itself.
+void feed(int descriptor, std::string_view input) {
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  static_cast<void>(write_all(descriptor, std::as_bytes(std::span(input))));
+  std::signal(SIGPIPE, before);
 }
 
 /// What waitpid() says of it; nothing if it fails.
@@ -123,8 +131,7 @@ std::optional<int> run_program_with_input(const fs::path& program, const Program
     ::_exit(1);
   }
   from.close();
-  // A reader that ends early says why itself.
-  static_cast<void>(write_all(into.get(), std::as_bytes(std::span(input))));
+  feed(into.get(), input);
   into.close();
   const std::optional<int> status = status_of(child);
   if (!status) return std::nullopt;

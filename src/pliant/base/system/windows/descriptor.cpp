@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <limits>
+#include <new>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -75,12 +78,30 @@ FileKind kind_of(HANDLE handle, DWORD attributes) {
   return attributes & FILE_ATTRIBUTE_DIRECTORY ? FileKind::folder : FileKind::regular;
 }
 
+/// Renames as POSIX does: who has the old file open keeps it, without a name.
+bool replace_open(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const Descriptor file = open_file(from, Opening::to_change);
+  const std::wstring name = std::filesystem::absolute(to).native();
+  std::vector<std::byte> room(sizeof(FILE_RENAME_INFO) + name.size() * sizeof(wchar_t));
+  auto* asked = new (room.data()) FILE_RENAME_INFO{};
+  asked->Flags = FILE_RENAME_FLAG_REPLACE_IF_EXISTS | FILE_RENAME_FLAG_POSIX_SEMANTICS;
+  asked->FileNameLength = static_cast<DWORD>(name.size() * sizeof(wchar_t));
+  std::memcpy(asked->FileName, name.c_str(), asked->FileNameLength + sizeof(wchar_t));
+  return file && ::SetFileInformationByHandle(handle_of(file.get()), FileRenameInfoEx, asked,
+                                              static_cast<DWORD>(room.size()));
+}
+
 bool move_name(const std::filesystem::path& from, const std::filesystem::path& to, DWORD flags) {
   if (::MoveFileExW(from.c_str(), to.c_str(), flags)) return true;
   return keep_windows_error();
 }
 
 }  // namespace
+
+std::string error_words(int error) {
+  if (error == EBUSY) return "another program has it open";
+  return std::generic_category().message(error);
+}
 
 void Descriptor::close() {
   if (number_ >= 0) ::_close(std::exchange(number_, -1));
@@ -175,8 +196,17 @@ bool sync_contents(int descriptor) {
 /// Windows writes names through its journal; MoveFileExW() waits for it.
 void sync_names(const std::filesystem::path&) {}
 
-bool replace_name(const std::filesystem::path& from, const std::filesystem::path& to) {
-  return move_name(from, to, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH);
+/// Since Windows 10 a file that others have open and share can be replaced. Older ones say "access
+/// is denied" for every open file.
+bool replace_name(const std::filesystem::path& from, const std::filesystem::path& to,
+                  Descriptor held) {
+  held.close();
+  if (replace_open(from, to)) return true;
+  if (move_name(from, to, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH)) return true;
+  const DWORD attributes = ::GetFileAttributesW(to.c_str());
+  const bool may_be_written = (attributes & FILE_ATTRIBUTE_READONLY) == 0;
+  if (errno == EACCES && attributes != INVALID_FILE_ATTRIBUTES && may_be_written) errno = EBUSY;
+  return false;
 }
 
 bool take_name(const std::filesystem::path& from, const std::filesystem::path& to) {

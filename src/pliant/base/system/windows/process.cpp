@@ -3,10 +3,10 @@
 
 #include <windows.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <system_error>
-#include <thread>
 
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/base/system/windows/windows_errors_internal.hpp"

@@ -5,6 +5,7 @@
 // After winsock2.h.
 #include <ws2tcpip.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
