@@ -105,7 +105,8 @@ build_hdf5() {
     -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_EXAMPLES=OFF -DHDF5_BUILD_HL_LIB=OFF \
     -DHDF5_BUILD_CPP_LIB=OFF -DHDF5_BUILD_FORTRAN=OFF
   install -m 644 "$(find "$folder/objects/hdf5" -name 'libhdf5*.a')" "$folder/lib/libhdf5.a"
-  install -m 644 -t "$folder/include" "$common"/src/hdf5/src/*.h "$folder/objects/hdf5/src/H5pubconf.h"
+  install -m 644 -t "$folder/include" "$common"/src/hdf5/src/{,H5FDsubfiling/}*.h \
+    "$folder/objects/hdf5/src/H5pubconf.h"
 }
 
 # build_target NAME: in a shell of its own.
@@ -113,6 +114,8 @@ build_target() {
   folder=$common/$1
   # Whoever links these takes the functions that it calls, and shows none of them to others.
   cflags='-O2 -fPIC -w -ffunction-sections -fdata-sections -fvisibility=hidden'
+  # HDF5 takes vasprintf from mingw, which has it for those who ask.
+  [[ $1 != windows-* ]] || cflags+=' -D_GNU_SOURCE'
   mkdir -p "$folder/include" "$folder/lib"
   zig_tools "$folder/bin" -target "$(target_field "$1" zig)" -fno-sanitize=all
   [ ! -f "$folder/whole-$suite" ] || return 0
