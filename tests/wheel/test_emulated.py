@@ -2,13 +2,10 @@
 """The commands of other systems give the same bits as that of this one: samples, conformers, runs
 with several techniques, and texts. Each writes in a folder of its own, by the same names."""
 
-import h5py
-import numpy as np
 import pytest
-from conftest import ROOT, targets
+from emulated import EMULATED, ROOT, stored
 
 MOLECULES = ROOT / "data/molecules"
-EMULATED = [name for name, row in targets().items() if row.tried in ("qemu", "wine")]
 RECORDED = {
     "sample of a peptide": "sample peptide_20.pdb --frames 12 --seed 3",
     "sample with the dilute sampler": "sample peptide_20.pdb --sampler dilute --frames 6 --seed 4",
@@ -25,26 +22,6 @@ PRINTED = {
     "order": "order caffeine.sdf",
     "info": "info peptide_20.pdb --json",
 }
-
-
-def stored(path):
-    """Bytes and attributes of every object of a file."""
-    found = {}
-
-    def keep(name, item):
-        if isinstance(item, h5py.Dataset):
-            value = np.asarray(item[()])
-            found[name] = (
-                str(item.dtype),
-                item.shape,
-                value.tobytes() if value.dtype != object else repr(value.tolist()),
-            )
-        for key, value in item.attrs.items():
-            found[f"{name}@{key}"] = repr(np.asarray(value).tolist())
-
-    with h5py.File(path) as file:
-        file.visititems(keep)
-    return found
 
 
 def written(command, folder, line):
