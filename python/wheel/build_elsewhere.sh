@@ -24,7 +24,7 @@ own_wheel() {
 build_wheel() {
   python/wheel/build_extension.sh "$target" "$1"
   .venv/bin/python python/wheel/retarget_wheel.py "$(own_wheel "$1")" "$target" \
-    "$(find "build/portable/$target/cmake/python" -maxdepth 1 -name '_core.*' -type f)" "$raw"
+    "build/portable/$target/cmake/python/_core.so" "$raw"
 }
 
 rm -rf "$raw" "$wheels"/*"$(target_field "$target" platform)".whl

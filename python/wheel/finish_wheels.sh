@@ -11,12 +11,20 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 readonly target=$1 wheels=$PWD/build/wheels most_bytes=8000000
 
 # auditwheel fails where a symbol is newer than the platform or a library comes from outside; it
-# names the wheel by the platform.
+# names the wheel by the platform. Of another processor it only tells the oldest that fits.
 place() {
+  local fits wanted
   case $target in
-    linux-*)
+    "$(this_target)")
       PATH=$PWD/.venv/bin:$PATH .venv/bin/python -m auditwheel repair \
         --plat "$(target_field "$target" platform)" --only-plat --wheel-dir "$wheels" "$1"
+      ;;
+    linux-*)
+      wanted=$(target_field "$target" platform)
+      fits=$(.venv/bin/python -m auditwheel show "$1" | tr '\n' ' ' | grep -o '"manylinux_[^"]*"' | head -n 1)
+      printf '%s: fits %s, wanted %s\n' "$(basename "$1")" "$fits" "$wanted"
+      printf '%s\n' "${fits//\"/}" "$wanted" | sort --version-sort --check || exit 1
+      cp "$1" "$wheels"
       ;;
     *) cp "$1" "$wheels" ;;
   esac
