@@ -13,8 +13,11 @@ namespace {
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void ask() {
-  if (asked.exchange(true)) std::_Exit(exit_interrupted);
+std::atomic<bool> pressed{false};
+
+void ask(RequestToEnd request) {
+  asked = true;
+  if (request == RequestToEnd::pressed && pressed.exchange(true)) std::_Exit(exit_interrupted);
 }
 
 }  // namespace

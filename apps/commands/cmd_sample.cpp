@@ -2,8 +2,10 @@
 // pliant sample: an ensemble of what a molecule can do. A molecule in, an H5MD trajectory out.
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "command.hpp"
+#include "commands/committed_sample.hpp"
 #include "commands/continue_sample.hpp"
 #include "commands/show_sample.hpp"
 #include "external.hpp"
@@ -68,20 +70,22 @@ SampleSummary sample_to_file(const SampleSettings& settings, const PlannedSample
   refuse_single_node(planned);
   const SampleTask& task = planned.task;
   const H5mdHeader header = header_of(settings, planned);
+  std::optional<CommittedSample> committed;
+  if (!settings.commits.file.empty()) committed.emplace(settings, task, header.parameters);
   FrameOutput recorder(settings.output, task.framework(), header, settings.record,
                        sdf_molecule(planned.model.structure));
   write_topology(settings.topology, task.framework(), header, planned.model.positions,
                  settings.record);
   ProgressBar progress(task.options().frames, "frames", settings.quiet);
   std::int64_t done = 0;
-  SampleSummary summary = task.run(
-      [&](const Frame& frame) {
-        recorder.record(frame);
-        progress.show(++done);
-        return interrupted();
-      },
-      interrupted);
+  const SampleObserver observer = [&](const Frame& frame) {
+    recorder.record(frame);
+    progress.show(++done);
+    return interrupted();
+  };
+  SampleSummary summary = committed ? committed->run(observer) : task.run(observer, interrupted);
   recorder.close();
+  if (committed) committed->end();
   return summary;
 }
 
@@ -140,6 +144,8 @@ int command_sample(const Arguments& arguments) {
   if (!settings.go_on.empty()) return continue_sample(line, settings);
   Messages messages(settings.json || settings.quiet);
   const bool asks_for_topology = !settings.topology.empty();
+  check_commits(line, settings.commits);
+  go_on_from_commits(settings.commits, settings.record);
   complete(settings);
   check_outputs(settings);
   settings.record.log = messages.log();

@@ -107,7 +107,7 @@ class ContinuedRun {
     return options;
   }
 
-  void watch(Watchers& watchers, std::int64_t walker, std::shared_ptr<H5mdRecorder> recorder,
+  void watch(Watchers& watchers, std::int64_t walker, const std::shared_ptr<H5mdRecorder>& recorder,
              std::int64_t frames_before) {
     std::int64_t& added = frames_added_[static_cast<std::size_t>(walker - settings_.first_walker)];
     watchers.observers = {[this, recorder](const Frame& frame) {

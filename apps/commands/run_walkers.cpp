@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 
+#include "commands/committed_walker.hpp"
 #include "commands/walker_sequence.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
@@ -40,6 +41,7 @@ struct Shared {
   std::vector<Vec3>& last;
   LiveRun* live;                                  ///< null: nobody looks
   std::unique_ptr<WalkerSequence> sequence = {};  ///< of --one-file; else null
+  std::unique_ptr<CommitLog> commits = {};        ///< null: none are kept
   std::mutex showing = {};
   std::int64_t steps_done = 0;  ///< under the mutex
 
@@ -81,12 +83,16 @@ struct RecordedWalker {
   std::int64_t walker;
   std::optional<FrameOutput> recorder;  ///< none where there is one file for all
   KeptFrames kept = {};
+  std::optional<CommittedWalker> committed = {};
   std::optional<ForceRecorder> forces;
   std::int64_t last_step = 0;
 
   RecordedWalker(Shared& shared_things, std::int64_t number)
       : shared(shared_things), walker(number), forces(force_recorder(shared, walker)) {
     if (!shared.sequence) recorder.emplace(output_for(shared, walker));
+    if (shared.commits)
+      committed.emplace(*shared.commits, walker, shared.settings.commits.seconds,
+                        shared.settings.run, kept);
   }
 
   bool keeps_forces() const {
@@ -100,8 +106,21 @@ struct RecordedWalker {
     return interrupted() || (shared.live != nullptr && shared.live->was_killed());
   }
 
+  /// Goes on from the last commit, if there is one, and commits from then on.
+  void watch_commits(Watchers& watchers, const std::shared_ptr<RecordedWalker>& self) {
+    if (!committed) return;
+    watchers.reached = committed->reached();
+    if (watchers.reached) {
+      last_step = watchers.reached->state.step;
+      shared.add_steps(last_step);
+    }
+    watchers.onlooker = {[self](std::int64_t step) { return self->committed->wants(step); },
+                         [self](const Frame& frame) { self->committed->look(frame); }};
+  }
+
   /// One file for all holds whole walkers only.
   void close(const RunSummary& summary, const State& state) {
+    if (committed) committed->end(state, !summary.stopped_by_caller);
     if (recorder) {
       recorder->end_run(state);
       recorder->close();
@@ -132,7 +151,15 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
     watchers.hands = shared.live->hands();
     watchers.onlooker = shared.live->onlooker();
   }
+  outputs->watch_commits(watchers, outputs);
   return watchers;
+}
+
+std::unique_ptr<CommitLog> commit_log(const Shared& shared) {
+  const H5mdHeader header = header_of(shared.settings, shared.molecule, 0);
+  const auto key =
+      key_of_run(shared.molecule.framework, shared.molecule.structure.positions, header.parameters);
+  return std::make_unique<CommitLog>(path_of(shared.settings.commits.file), key, shared.log);
 }
 
 /// What a person did, once more.
@@ -153,6 +180,7 @@ std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule&
   ProgressBar progress(settings.walkers * settings.run.steps, "steps", settings.quiet);
   Shared shared{settings, molecule, log, progress, last, live};
   if (!settings.events.empty()) return {replay(shared)};
+  if (!settings.commits.file.empty()) shared.commits = commit_log(shared);
   if (settings.one_file)
     shared.sequence = std::make_unique<WalkerSequence>(output_for(shared, settings.first_walker),
                                                        settings.first_walker);
@@ -167,6 +195,7 @@ std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule&
       molecule.framework, State(molecule.structure.positions), options,
       [&](std::uint64_t walker) { return recorded(shared, static_cast<std::int64_t>(walker)); });
   if (shared.sequence) shared.sequence->close();
+  if (shared.commits && !interrupted()) shared.commits->remove();
   return summaries;
 }
 

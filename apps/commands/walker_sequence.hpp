@@ -4,29 +4,11 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
-#include <vector>
 
 #include "output/frame_output.hpp"
-#include "pliant/framework/frame.hpp"
+#include "pliant/resume/kept_frames.hpp"
 
 namespace pliant::app {
-
-/// The frames of a walker, kept until it can be written.
-class KeptFrames {
- public:
-  void add(const Frame& frame);
-  /// Writes them to `output`, in their order, as frames of that walker.
-  void write_to(FrameOutput& output, std::int64_t walker) const;
-
- private:
-  struct Kept {
-    Frame frame;  ///< without its spans
-    std::vector<Vec3> positions;
-    std::vector<std::uint8_t> limits_off;
-  };
-  std::vector<Kept> frames_;
-};
 
 /// Writes walkers in the order of their numbers, so that the same run gives the same file with any
 /// number of threads. Calls must not overlap.
@@ -40,6 +22,8 @@ class WalkerSequence {
   void close() { output_.close(); }
 
  private:
+  void write(const KeptFrames& frames);
+
   FrameOutput output_;
   std::int64_t next_;  ///< the next walker to be written
   std::map<std::int64_t, KeptFrames> waiting_;

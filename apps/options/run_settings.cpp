@@ -97,7 +97,7 @@ void check_one_file(RunSettings& settings) {
   if (!is_ensemble(settings))
     throw OptionError("--one-file: is for several walkers; give --walkers or --shard");
   if (!settings.go_on.empty())
-    throw OptionError("--one-file: such a run cannot go on; run the shard again");
+    throw OptionError("--one-file: such a file does not go on; --commits keeps what is done");
   settings.record.flush_seconds = std::numeric_limits<double>::infinity();
 }
 
@@ -134,6 +134,7 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
   line.add_flag("--one-file", settings.one_file,
                 "one trajectory for all walkers, one after another; the observable walker tells\n"
                 "them apart. A walker's frames wait in memory until it ends");
+  add_commit_options(line, settings.commits);
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the walkers",
                    "all cores");
   add_technique_options(line, settings);
@@ -148,6 +149,10 @@ void number_walkers(const CommandLine& line, RunSettings& settings) {
   if (line.was_given("--shard")) take_shard(line, settings);
   check_imd(line, settings.imd, is_ensemble(settings));
   if (settings.one_file) check_one_file(settings);
+  check_commits(line, settings.commits);
+  go_on_from_commits(settings.commits, settings.record);
+  if (!settings.one_file && !settings.commits.file.empty())
+    throw OptionError("--commits: goes with --one-file; other trajectories have --continue");
 }
 
 void name_outputs(const CommandLine& line, RunSettings& settings) {

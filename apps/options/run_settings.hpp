@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "commit_settings.hpp"
 #include "options/guide_settings.hpp"
 #include "options/imd_settings.hpp"
 #include "options/molecule_input.hpp"
@@ -39,6 +40,7 @@ struct RunSettings {
   std::string shard;  ///< "FIRST..LAST", numbers of walkers, in place of `walkers`; or ""
   std::int64_t first_walker = 0;
   std::int64_t walkers = 1;  ///< from first_walker on
+  CommitSettings commits;
   bool one_file = false;     ///< all frames go into one trajectory, one walker after another
   std::int64_t threads = 0;  ///< 0: one for each core
   bool dry_run = false;

@@ -54,7 +54,10 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
   settings.sample.threads = all_cores();
   for (const SampleField& field : sample_fields()) {
     if (field.users.command) add_option(line, field, field.place(settings.sample));
-    if (field.name == "frames") add_continue(line, settings);
+    if (field.name == "frames") {
+      add_continue(line, settings);
+      add_commit_options(line, settings.commits);
+    }
     if (field.name == "amplitude") add_amplitude(line, settings);
   }
 }

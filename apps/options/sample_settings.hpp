@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "commit_settings.hpp"
 #include "options/molecule_input.hpp"
 #include "pliant/base/parameter.hpp"
 #include "pliant/model/amplitude.hpp"
@@ -22,7 +23,8 @@ struct SampleSettings {
   std::string amplitude;             ///< as given: a number, a word or a file; "": the default
   AmplitudeChoice chosen_amplitude;  ///< set by asked_of()
   H5mdOptions record;
-  std::string save;      ///< selection of the atoms to record; "": all
+  std::string save;  ///< selection of the atoms to record; "": all
+  CommitSettings commits;
   std::string go_on;     ///< trajectory whose sample is continued; "": a new one
   std::string output;    ///< "": the input's name with .h5md, in the current folder
   std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none

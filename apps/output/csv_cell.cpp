@@ -8,7 +8,7 @@ namespace pliant::app {
 std::string csv_cell(const std::string& text) {
   constexpr std::string_view formula_marks = "=+-@'\t\r";
   const bool is_risky = !text.empty() && formula_marks.find(text.front()) != std::string_view::npos;
-  const std::string cell = is_risky ? "'" + text : text;
+  std::string cell = is_risky ? "'" + text : text;
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
   std::string quoted = "\"";
   for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -20,8 +20,10 @@ if (location.protocol === "file:") {
       this.frame = document.createElement("iframe")
       this.ready = new Promise((begin) => { this.begin = begin })
       Object.assign(this.frame, { hidden: true, worker: this, srcdoc: inside(source) })
-      document.addEventListener("DOMContentLoaded", () => document.body.append(this.frame))
-      if (document.body) document.body.append(this.frame)
+      // Once: a frame that is appended again begins anew, and forgets the index that it was given.
+      const append = () => document.body.append(this.frame)
+      if (document.body) append()
+      else document.addEventListener("DOMContentLoaded", append)
     }
     postMessage(data) {
       const send = () =>

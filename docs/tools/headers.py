@@ -51,7 +51,7 @@ def _header(name: str) -> str:
     start = next(i for i, line in enumerate(lines) if line.startswith("#"))
     about = " ".join(line[3:] for line in lines[1:start] if line.startswith("// "))
     rows = lines[start] != "#pragma once"  # of a table that others include: nothing is declared
-    shown = [] if rows else [_entity(*one) for one in _entities(lines[start + 1 :])]
+    shown = [] if rows else [_entity(*one) for one in entities(lines[start + 1 :])]
     return "\n\n".join(
         [f"## {Path(name).name} {{#{_anchor(name)}}}", f"`pliant/{name}`: {about}", *shown]
     )
@@ -61,7 +61,7 @@ def _anchor(name: str) -> str:
     return name.removesuffix(".hpp").replace("/", "-")
 
 
-def _entities(lines: list[str]) -> Iterator[tuple[list[str], list[str]]]:
+def entities(lines: list[str]) -> Iterator[tuple[list[str], list[str]]]:
     """Comment and declaration of what stands directly in the namespace."""
     comment: list[str] = []
     at = 0

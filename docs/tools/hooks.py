@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import citation
 import formulas
 import headers
 import help_texts
 import notebooks
 import package
+import phone
 import places
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
@@ -23,6 +25,12 @@ from mkdocs.structure.pages import Page
 def on_startup(command: str, dirty: bool) -> None:
     """Makes the package that the reference is read from, before plugins look for its folder."""
     package.make()
+
+
+def on_config(config: MkDocsConfig) -> MkDocsConfig:
+    """Names the version on every page, at its foot."""
+    config.copyright = f"Pliant {citation.version()} · MIT licence"
+    return config
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
@@ -46,16 +54,20 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 
 def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
     """Leads links to where the site has what they name."""
-    return places.with_links_of_the_site(markdown, page.file.src_uri)
+    return places.with_links_of_the_site(citation.with_citation(markdown), page.file.src_uri)
 
 
 def on_page_content(html: str, page: Page, config: MkDocsConfig, files: Files) -> str:
-    """Turns formulas into MathML, which browsers draw by themselves."""
-    return formulas.with_mathml(html)
+    """Turns formulas into MathML, which browsers draw by themselves; fits the page to a phone."""
+    return phone.fitted(formulas.with_mathml(html))
 
 
 def on_post_build(config: MkDocsConfig) -> None:
-    """Lets search work where pages are opened from the disk: as a script it may be read there."""
+    """Lets search work where pages are opened from the disk: as a script it may be read there.
+
+    And takes out what only a site of a known address can use.
+    """
     index = Path(config.site_dir) / "search" / "search_index.json"
+    (Path(config.site_dir) / "404.html").unlink()  # needs to know the address of the site
     script = f"var __index = {index.read_text(encoding='utf-8')}"
     index.with_suffix(".js").write_text(script, encoding="utf-8")

@@ -24,6 +24,10 @@ INCLUDED = {
     "src/pliant/README.md": "inside/structure.md",
     "data/README.md": "inside/data.md",
     "CONTRIBUTING.md": "inside/contributing.md",
+    "src/pliant/ADDING.md": "inside/adding.md",
+    "tests/README.md": "inside/tests.md",
+    "docs/README.md": "inside/documentation.md",
+    "python/release/README.md": "inside/release.md",
     "CHANGELOG.md": "inside/changelog.md",
 }
 #: what stands for these on the site
@@ -35,7 +39,7 @@ SAME = {
 PICTURES = ("data/pictures", "docs/pictures")
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)(\{[^}]*\})?")
-FENCE = re.compile(r"^ *(```|~~~)")
+FENCED = re.compile(r"^( *(?:```|~~~)[\s\S]*?\n *(?:```|~~~)[ \t]*$)", re.MULTILINE)
 ELSEWHERE = re.compile(r"[a-z]+:|#")
 
 
@@ -78,12 +82,10 @@ def source_of(name: str) -> Path:
 
 def with_links_of_the_site(markdown: str, name: str) -> str:
     """A page's text with its links as the site has them; what it has not loses its link."""
-    folder, is_code, lines = source_of(name).parent, False, []
-    for line in markdown.split("\n"):
-        if FENCE.match(line):
-            is_code = not is_code
-        lines.append(line if is_code else LINK.sub(lambda f: _led(f, folder, name), line))
-    return "\n".join(lines)
+    folder = source_of(name).parent
+    parts = FENCED.split(markdown)  # text and fenced code by turns
+    parts[::2] = [LINK.sub(lambda found: _led(found, folder, name), text) for text in parts[::2]]
+    return "".join(parts)
 
 
 def _led(found: re.Match[str], folder: Path, name: str) -> str:

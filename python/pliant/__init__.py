@@ -91,6 +91,7 @@ from pliant._core import (
     techniques_for,
     write_topology_pdb,
 )
+from pliant._deprecated import PliantDeprecationWarning
 from pliant._display import show_in_notebooks
 from pliant._ensemble import run_ensemble
 from pliant._laboratory import leave_out
@@ -167,6 +168,7 @@ __all__ = [
     "OrderingEntry",
     "PdbRecorder",
     "PerturbationEntry",
+    "PliantDeprecationWarning",
     "PliantWarning",
     "Preparation",
     "Repeat",

@@ -25,6 +25,8 @@ _EXTRAS = {
     "rdkit": ("RDKit", "rdkit"),
     "scipy": ("SciPy", "lab"),
     "websockets": ("websockets", "play"),
+    "xarray": ("xarray", "zarr"),
+    "zarr": ("Zarr", "zarr"),
 }
 
 

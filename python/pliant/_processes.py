@@ -54,13 +54,13 @@ def ended_by_sigterm(command: str) -> Iterator[None]:
         signal.signal(signal.SIGTERM, before)
 
 
-def die_with_parent(parent: int) -> None:
-    """Between fork and exec, on Linux: a command that is killed with the process that started it.
+def die_with_parent(parent: int, end: int) -> None:
+    """Between fork and exec, on Linux: a command that gets this signal when its parent ends.
 
     `parent` is the number of that process, which may have ended before this is called.
     """
     if sys.platform != "linux":
         return
-    ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, signal.SIGKILL)
+    ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, end)
     if os.getppid() != parent:
-        os.kill(os.getpid(), signal.SIGKILL)
+        os.kill(os.getpid(), end)

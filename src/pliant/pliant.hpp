@@ -12,13 +12,13 @@
 #include "pliant/base/log.hpp"                   // notes and warnings, through a callback
 #include "pliant/base/option_fields.hpp"         // tables of options
 #include "pliant/base/parameter.hpp"             // values of options in files
-#include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
-#include "pliant/base/range.hpp"    // what an option may be
+#include "pliant/base/random.hpp"  // draws as functions of (seed, domain, walker, step, joint)
+#include "pliant/base/range.hpp"   // what an option may be
 #include "pliant/base/system/descriptor.hpp"  // files as the system has them
 #include "pliant/base/system/sockets.hpp"     // TCP
-#include "pliant/base/threads.hpp"  // where there are any
-#include "pliant/base/vec3.hpp"     // Vec3
-#include "pliant/base/version.hpp"  // of this library
+#include "pliant/base/threads.hpp"            // where there are any
+#include "pliant/base/vec3.hpp"               // Vec3
+#include "pliant/base/version.hpp"            // of this library
 
 // text: files
 #include "pliant/text/file_text.hpp"    // the text of a file, expanded

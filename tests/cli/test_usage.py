@@ -17,7 +17,7 @@ def test_no_command_prints_usage_and_fails(pliant):
 def test_version(pliant):
     ended = pliant("--version")
     assert (ended.code, ended.err) == (0, "")
-    assert ended.out.startswith("pliant 0.")
+    assert ended.out.startswith("pliant 1.")
 
 
 def test_unknown_command_suggests_the_nearest(pliant):

@@ -8,8 +8,10 @@ are followed. Memory is taken for what a file holds, never for what it says to h
 
 from __future__ import annotations
 
+import errno
 import math
 import os
+import re
 import time
 from collections.abc import Callable, Iterator
 from typing import Any, TypeGuard, TypeVar
@@ -38,6 +40,8 @@ MOST_LEVELS = 8
 PATIENCE = 2.0
 PAUSE = 0.02
 
+_NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP}
+
 Result = TypeVar("Result")
 
 #: Files whose structure was found good, as they were then: path -> device, number, size, time.
@@ -65,7 +69,14 @@ def _opened_file(name: str) -> h5py.File:
     try:
         return h5py.File(name, "r")
     except OSError as error:
+        if _is_without_locks(error):  # Pliant's own files need none, also while they are written
+            return h5py.File(name, "r", locking=False)
         raise FileError(f"{name}: cannot be opened: {one_line(error)}") from error
+
+
+def _is_without_locks(error: OSError) -> bool:
+    found = re.search(r"unable to lock file, errno = (\d+)", str(error))
+    return found is not None and int(found[1]) in _NO_LOCKS
 
 
 def _is_open_here(name: str) -> bool:

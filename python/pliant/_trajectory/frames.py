@@ -98,6 +98,11 @@ class FramesOfH5md:
         """In ps; the number of the frame where the file has none."""
         return time_recorded(self._reader, frame)
 
+    def walker(self, frame: int) -> int | None:
+        """Of a frame of an ensemble; None where there are no walkers."""
+        known = getattr(self._reader, "walker", None)
+        return known(frame) if known else None
+
 
 class FramesOfModels:
     """The models of a structure file, or its one structure."""

@@ -75,7 +75,7 @@ class HasFrames:
         Parameters
         ----------
         output : str or path
-            Ends in .h5md, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, .trr or .xyz.
+            Ends in .h5md, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, .trr, .xyz or .zarr.
         select, every, superpose, overwrite
             As for `convert`.
 
@@ -237,6 +237,10 @@ class Trajectory(HasFrames, Displayed):
     def time(self, frame: int) -> float:
         """Of a frame, in ps; its number where no time is known."""
         return self._frames.time(self._number(frame))
+
+    def _walker(self, frame: int) -> int | None:
+        known = getattr(self._frames, "walker", None)
+        return known(self._number(frame)) if known else None
 
     def facts(self) -> Facts:
         """How many frames, of what."""

@@ -12,12 +12,14 @@ from pliant.convert.write import convert
 
 EPILOG = """\
 The name of OUT says the format: .h5md, .pdb or .cif (one model per frame), .sdf (one record per
-frame), .dcd, .xtc, .trr or .xyz. DCD, XTC, TRR and XYZ are written by MDAnalysis (pip install
-"pliant[analysis]"), SDF by RDKit ("pliant[rdkit]"), the others by Pliant itself.
+frame), .dcd, .xtc, .trr, .xyz or .zarr. DCD, XTC, TRR and XYZ are written by MDAnalysis (pip
+install "pliant[analysis]"), SDF by RDKit ("pliant[rdkit]"), Zarr by xarray ("pliant[zarr]"), the
+others by Pliant itself.
 H5MD keeps every digit; PDB keeps 0.001 Angstrom, mmCIF and XYZ 0.00001, XTC 0.01, DCD and TRR
 32-bit floats. Observables and bars are left out. mmCIF has no bonds: programs know them from the
 names of residues. DCD, XTC and TRR have only positions: open them with the PDB file that pliant
-run writes beside its trajectory.
+run writes beside its trajectory. A Zarr store has positions(frame, atom, xyz) with names of atoms
+and residues, and walker and step of each frame: xarray.open_zarr("many.zarr").
 
 exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
 
@@ -25,6 +27,7 @@ examples:
   pliant convert out.h5md -o out.xtc
   pliant convert out.h5md -o ca.pdb --select "name CA" --every 10 --superpose
   pliant convert many -o many.dcd          the folder of pliant ensemble, walker after walker
+  pliant convert many -o many.zarr         for xarray: all of it, in one store
 """
 
 

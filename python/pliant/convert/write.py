@@ -21,6 +21,8 @@ from pliant._superposition import Superposition
 from pliant._trajectory.results import SampledEnsemble
 from pliant._trajectory.sources import Molecule
 from pliant._trajectory.trajectory import HasFrames, Trajectory
+from pliant.convert.moment import Moment
+from pliant.convert.zarr_store import write_zarr
 
 
 @dataclass
@@ -50,7 +52,7 @@ def convert(
         What a `Trajectory` is made of. Paths are of an H5MD file, of models (PDB, mmCIF, SDF),
         or of an ensemble: a folder of ``pliant ensemble``, or the ``ensemble.pliant`` in it.
     output : path
-        Ends in .h5md, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, .trr or .xyz.
+        Ends in .h5md, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, .trr, .xyz or .zarr.
     select : str
         Atoms that are written; "": all.
     every : int
@@ -110,15 +112,6 @@ def _chosen(structure: _core.Structure, select: str) -> np.ndarray:
     return atoms
 
 
-@dataclass
-class _Moment:
-    """A frame on its way: positions (n, 3) Angstrom, step, time in ps."""
-
-    positions: np.ndarray
-    step: int
-    time: float
-
-
 def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", _core.PliantWarning)  # bonds that a selection cuts are gone
@@ -127,7 +120,7 @@ def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
 
 def _frames(
     trajectory: Trajectory, atoms: np.ndarray, every: int, superpose: bool
-) -> Iterator[_Moment]:
+) -> Iterator[Moment]:
     fit: Superposition | None = None
     for frame in range(0, len(trajectory), every):
         positions = trajectory[frame][atoms]
@@ -135,11 +128,12 @@ def _frames(
             fit = Superposition(positions, np.ones(len(atoms)))
         elif fit is not None:
             positions = fit.apply(positions)
-        yield _Moment(positions, trajectory.step(frame), trajectory.time(frame))
+        step, time = trajectory.step(frame), trajectory.time(frame)
+        yield Moment(positions, step, time, trajectory._walker(frame))
 
 
 def _write_h5md(
-    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
 ) -> int:
     framework = structure.framework("bonds")
     with _core.H5mdRecorder(
@@ -160,7 +154,7 @@ def _write_h5md(
 
 
 def _write_sdf(
-    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
 ) -> int:
     from rdkit import Chem
 
@@ -178,7 +172,7 @@ def _write_sdf(
 
 
 def _write_pdb(
-    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
 ) -> int:
     with _core.PdbRecorder(output, structure, overwrite=overwrite) as recorder:
         for moment in frames:
@@ -187,7 +181,7 @@ def _write_pdb(
 
 
 def _write_cif(
-    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
 ) -> int:
     with (
         _beside(output, overwrite) as path,
@@ -197,7 +191,7 @@ def _write_cif(
 
 
 def _write_with_mdanalysis(
-    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
 ) -> int:
     import MDAnalysis
 
@@ -232,6 +226,7 @@ FORMATS = {
     ".xtc": ("XTC", _write_with_mdanalysis, "MDAnalysis"),
     ".trr": ("TRR", _write_with_mdanalysis, "MDAnalysis"),
     ".xyz": ("XYZ", _write_with_mdanalysis, "MDAnalysis"),
+    ".zarr": ("Zarr", write_zarr, "zarr"),
 }
 
 

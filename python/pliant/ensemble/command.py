@@ -6,7 +6,8 @@ from __future__ import annotations
 import argparse
 import contextlib
 import sys
-from collections.abc import Callable, Iterator, Sequence
+import time
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from pliant._core import Error, OptionError
@@ -15,7 +16,6 @@ from pliant._processes import ended_by_sigterm
 from pliant.console import (
     EXIT_FAILED,
     EXIT_OK,
-    Parser,
     counted,
     note,
     print_json,
@@ -23,11 +23,12 @@ from pliant.console import (
     printable_name,
     progress,
     run_command,
-    whole_number,
 )
 from pliant.ensemble.cluster import Place, dashboard_of, open_place
-from pliant.ensemble.drive import Outcome, alone_in, complete
-from pliant.ensemble.make_shard import check_options, make_shard
+from pliant.ensemble.command_options import ensemble_parser
+from pliant.ensemble.drive import Outcome, complete
+from pliant.ensemble.folder_lock import alone_in
+from pliant.ensemble.make_shard import Making, check_options, make_shard
 from pliant.ensemble.options import parse_options
 from pliant.ensemble.plan import (
     PLAN,
@@ -40,40 +41,10 @@ from pliant.ensemble.plan import (
     write_whole,
 )
 from pliant.ensemble.slurm_script import slurm_script
+from pliant.ensemble.time_limit import EXIT_AGAIN, OutOfTimeError, deadline_of, ended_by_sigusr1
 from pliant.ensemble.verify import verify
 
 EXIT_UNCONVERGED = 3
-MOST = 10**9
-
-DESCRIPTION = """\
-Runs many walkers (pliant run), or samples many frames (pliant sample), in shards that share the
-cores of this machine, or of many. A shard is a file with some of the walkers or frames; its bits
-depend only on the input, the options, the seed and the numbers of these walkers or frames, not on
-where or how often it was made. Finished shards are kept: after a crash, a lost worker or Ctrl-C,
-the same command goes on from there.
-
-Options that are not listed here are those of pliant run, or with --frames of pliant sample."""
-
-EPILOG = """\
-examples:
-  pliant ensemble protein.pdb -o many --walkers 10000 --model protein --every 100
-  pliant ensemble protein.pdb -o many --frames 100000 --amplitude 2 --workers 8
-  pliant ensemble protein.pdb -o many --walkers 10000 --scheduler tcp://head:8786
-  pliant ensemble protein.pdb -o many --walkers 10000 --cluster slurm.yaml
-  pliant ensemble protein.pdb -o many --walkers 10000 --slurm-script jobs.sh    without Dask
-  pliant ensemble --verify many
-  pliant analyse many
-
-slurm.yaml holds queue_system: slurm (pbs, lsf, sge, oar, moab, htcondor), jobs: N, and arguments of
-dask-jobqueue's class for that queue, such as cores: 1, memory: 2GB, walltime: "12:00:00".
-
-In Python, MDAnalysis.Universe("many/ensemble.pliant") is all shards as one trajectory.
-
-Exit code: 0 all shards are complete, 1 bad input or file, 2 bad option, 3 some frames are not
-whole or were left out, 130 ended by Ctrl-C: the same command goes on from there."""
-
-#: options that --help shows
-COMMON = ("--output", "--frames", "--walkers", "--workers", "--verify")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -81,54 +52,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if arguments is None else arguments)
     # What an option is followed by is only known once the input is out of the way.
     file = words[0] if words and not words[0].startswith("-") else None
-    options, passed_on = _parser().parse_known_args(words[1:] if file else words)
-    return run_command("ensemble", lambda: _ensemble(file, options, passed_on, words))
+    options, passed_on = ensemble_parser().parse_known_args(words[1:] if file else words)
+    return run_command("ensemble", lambda: _in_time(file, options, passed_on, words))
 
 
-def _parser() -> Parser:
-    parser = Parser("ensemble", DESCRIPTION, EPILOG, COMMON)
-    parser.usage = "pliant ensemble INPUT -o DIR (--walkers N | --frames N) [OPTIONS]"
-    _add_ensemble(parser.add_argument)
-    _add_places(parser.add_argument_group("where").add_argument)
-    _add_output(parser.add_argument_group("output").add_argument)
-    return parser
+def _in_time(
+    file: str | None, options: argparse.Namespace, passed_on: list[str], words: list[str]
+) -> int:
+    options.deadline = deadline_of(options.walltime, time.time())
+    try:
+        return _ensemble(file, options, passed_on, words)
+    except OutOfTimeError:
+        text = f"--walltime {options.walltime} is nearly over: the same command goes on"
+        print(f"pliant ensemble: {text}", file=sys.stderr)
+        return EXIT_AGAIN
 
 
-def _add_ensemble(add: Callable[..., object]) -> None:
-    add("-o", "--output", metavar="DIR", help="folder of the ensemble")
-    number = whole_number(1, most=MOST)
-    add("--walkers", type=number, metavar="N", help="walkers of pliant run in all")
-    add("--frames", type=number, metavar="N", help="frames of pliant sample in all")
-    text = "walkers (default: 128) or frames (default: 1024) a shard"
-    add("--shard-size", type=number, metavar="N", help=text)
-    add("--verify", metavar="DIR", help="check every byte of an ensemble, and make no shards")
-    text = "make shard K of the ensemble in DIR, without Dask"
-    add("--only", type=whole_number(0), metavar="K", help=text)
-
-
-def _add_places(add: Callable[..., object]) -> None:
-    number = whole_number(1, most=100_000)
-    add(
-        "--workers",
-        type=number,
-        metavar="N",
-        help="processes (default: one per core), or jobs of --cluster (default: as in its FILE); "
-        "never more than shards",
-    )
-    add("--scheduler", metavar="ADDRESS", help="a Dask scheduler that is already running")
-    add("--cluster", metavar="FILE", help="run as jobs of a queue, which this YAML file describes")
-    add(
-        "--slurm-script",
-        metavar="FILE",
-        help="write a script for a Slurm job array, and make no shards",
-    )
-    text = "further attempts at a shard that fails (default: 3)"
-    add("--retries", type=whole_number(0, most=1000), default=3, metavar="N", help=text)
-
-
-def _add_output(add: Callable[..., object]) -> None:
-    add("--json", action="store_true", help="print the result as one JSON object")
-    add("--quiet", action="store_true", help="print nothing but errors")
+def _how(options: argparse.Namespace) -> Making:
+    return Making(options.scratch, options.deadline, options.commit_seconds)
 
 
 def _ensemble(
@@ -142,12 +83,13 @@ def _ensemble(
     folder = Path(options.output)
     if options.only is not None:
         _expect_no_more(file, passed_on, "--only")
-        return _make_one(folder, options)
+        with ended_by_sigterm("ensemble"), ended_by_sigusr1("ensemble"):
+            return _make_one(folder, options)
     if options.slurm_script is None and not (folder / PLAN).exists():
         need("pliant ensemble", "dask", "distributed")  # before anything is made
     _expect_one_place(options)
     plan = _plan(file, options, passed_on)
-    with alone_in(folder), ended_by_sigterm("ensemble"):
+    with alone_in(folder), ended_by_sigterm("ensemble"), ended_by_sigusr1("ensemble"):
         if options.slurm_script is not None:
             return _write_script(plan, folder, options, words)
         return _make_all(plan, folder, options)
@@ -189,7 +131,7 @@ def _make_all(plan: EnsemblePlan, folder: Path, options: argparse.Namespace) -> 
             yield opened
 
     with _planned(plan, folder, options) as agreed, progress("shards", options.quiet) as show:
-        outcome = complete(agreed, folder, place, show, options.retries)
+        outcome = complete(agreed, folder, place, show, options.retries, _how(options))
     if options.json:
         print_json(outcome.as_json())
     elif not options.quiet:
@@ -238,7 +180,7 @@ def _make_one(folder: Path, options: argparse.Namespace) -> int:
         raise OptionError(
             f"--only {options.only}: expected a shard from 0 to {plan.shard_count - 1}"
         )
-    record = make_shard(plan, plan.shard(options.only), str(folder))
+    record = make_shard(plan, plan.shard(options.only), str(folder), _how(options))
     if options.json:
         print_json(record.as_json())
     elif not options.quiet:
@@ -252,7 +194,8 @@ def _write_script(
     path = Path(options.slurm_script)
     with _planned(plan, folder, options) as agreed:
         check_options(agreed, str(folder))  # the jobs would all fail, later
-        write_whole(path, slurm_script(agreed, folder, _without_script(words)))
+        text = slurm_script(agreed, folder, _without_script(words), _how(options), options.walltime)
+        write_whole(path, text)
     if not options.quiet:
         print(f"script          {printable_name(path)}: sbatch {printable_name(path)}")
     return EXIT_OK

@@ -5,22 +5,23 @@ from __future__ import annotations
 
 import contextlib
 import itertools
-import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
-from pliant._core import Error, FileError, InputError, OptionError
-from pliant._file_lock import take_lock
+from pliant._core import Error, InputError, OptionError
 from pliant.console import warn
 from pliant.ensemble.cluster import Place
+from pliant.ensemble.commits import is_log, remove_logs
 from pliant.ensemble.inspect_shard import ShardRecord, check_shard
-from pliant.ensemble.make_shard import MAKING, make_shard
+from pliant.ensemble.make_shard import Making, make_shard
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.over_shards import in_threads
-from pliant.ensemble.plan import NO_SHARD, PLAN, EnsemblePlan, Shard, has_shards, strangers
+from pliant.ensemble.plan import MAKING, NO_SHARD, EnsemblePlan, Shard, strangers
+from pliant.ensemble.time_limit import OutOfTimeError
 
 #: Shards that the scheduler knows of at once: it need not hold 10^5 to keep hundreds of workers.
 WINDOW = 1024
@@ -61,45 +62,19 @@ class Outcome:
         }
 
 
-def _lock_file(folder: Path) -> TextIO:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        return open(folder / ".lock", "w", encoding="utf-8")
-    except OSError as error:
-        raise FileError(f"{folder}: {error.strerror}: expected a folder for the ensemble") from None
-
-
-@contextlib.contextmanager
-def alone_in(folder: Path) -> Iterator[None]:
-    """Makes the folder. Raises FileError if that fails, or if another command is at work there.
-
-    A folder that was made here and holds neither plan nor shard goes when the work fails.
-    """
-    is_new = not folder.exists()
-    with _lock_file(folder) as file:
-        try:
-            take_lock(file)
-        except OSError:
-            raise FileError(f"{folder}: another pliant ensemble is at work in it") from None
-        try:
-            yield
-        except Exception:
-            if is_new and not (folder / PLAN).exists() and not has_shards(folder):
-                shutil.rmtree(folder, ignore_errors=True)
-            raise
-
-
 def complete(
     plan: EnsemblePlan,
     folder: Path,
     place: Callable[[int], contextlib.AbstractContextManager[Place]],
     show: Progress,
     retries: int = 3,
+    how: Making | None = None,
 ) -> Outcome:
     """Makes the shards that are missing. `place` is asked for one, if there are any.
 
-    Raises OptionError and Error with what the first shard that failed for good has said; all shards
-    that were whole by then stay, and are found the next time.
+    Raises OutOfTimeError where the deadline comes first; OptionError and Error with what the first
+    shard that failed for good has said. All shards that were whole by then stay, and are found the
+    next time, as is what the others have committed.
     """
     began = time.monotonic()
     manifest = Manifest(folder, plan)
@@ -109,7 +84,7 @@ def complete(
     show(outcome.found, plan.shard_count)
     if missing:
         with place(len(missing)) as opened:
-            for record in made_by(opened, make, plan, folder, missing, retries):
+            for record in made_by(opened, partial(make, how=how), plan, folder, missing, retries):
                 manifest.add(record)
                 outcome.made += 1
                 show(outcome.found + outcome.made, plan.shard_count)
@@ -125,7 +100,9 @@ def _take_stock(
 
     One that is damaged, or in the place of another, is removed: the same bits will be made again.
     """
-    shutil.rmtree(folder / MAKING, ignore_errors=True)  # of workers that were killed
+    for path in (folder / MAKING).glob("*"):
+        if not is_log(path):
+            path.unlink(missing_ok=True)  # of workers that were killed
     there = [shard for shard in plan.shards() if (folder / shard.name).exists()]
     bad = set()
     for done, (shard, found) in enumerate(_checked(plan, folder, there, manifest), 1):
@@ -133,8 +110,10 @@ def _take_stock(
             warn(f"{found}: it is made again")
             (folder / shard.name).unlink()
             bad.add(shard.number)
-        elif shard.number not in manifest.records:
-            manifest.add(found)
+        else:
+            remove_logs(folder, shard)
+            if shard.number not in manifest.records:
+                manifest.add(found)
         show(done - len(bad), plan.shard_count)
     for path in strangers(folder, plan):
         warn(f"{path}: {NO_SHARD}")
@@ -157,17 +136,28 @@ def _checked(
     return zip(shards, in_threads(check, shards), strict=True)
 
 
-def make(plan: EnsemblePlan, shard: Shard, folder: str) -> ShardRecord | str:
-    """On a worker: the record, or why no attempt can succeed."""
+@dataclass(frozen=True)
+class OutOfTime:
+    """Of a worker that had to end before its shard was whole."""
+
+
+#: What a worker brings back: the record of a shard, or why no further attempt is of use.
+Made = ShardRecord | OutOfTime | str
+
+
+def make(plan: EnsemblePlan, shard: Shard, folder: str, how: Making | None = None) -> Made:
+    """On a worker: makes a shard."""
     try:
-        return make_shard(plan, shard, folder)
+        return make_shard(plan, shard, folder, how)
     except OptionError as error:
         return str(error)
+    except OutOfTimeError:
+        return OutOfTime()
 
 
 def made_by(
     place: Place,
-    task: Callable[[EnsemblePlan, Shard, str], ShardRecord | str],
+    task: Callable[[EnsemblePlan, Shard, str], Made],
     plan: EnsemblePlan,
     folder: Path,
     shards: Iterable[Shard],
@@ -200,6 +190,8 @@ def _result(future: Any) -> ShardRecord:
     if error is not None:
         raise error if isinstance(error, (Error, OSError)) else Error(_text(error))
     result = future.result()
+    if isinstance(result, OutOfTime):
+        raise OutOfTimeError
     if isinstance(result, str):
         raise OptionError(result)
     record: ShardRecord = result

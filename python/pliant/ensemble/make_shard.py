@@ -3,39 +3,58 @@
 
 from __future__ import annotations
 
-import contextlib
-import json
 import os
 import re
+import signal
 import subprocess
 import sys
-import uuid
-from collections.abc import Iterator
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from pliant._core import Error, InputError, OptionError
 from pliant._processes import die_with_parent
-from pliant.console import command_path, warn
+from pliant.console import EXIT_INTERRUPTED, command_path, warn
+from pliant.ensemble.commits import remove_logs, take_log
 from pliant.ensemble.inspect_shard import ShardRecord, check_shard, inspect_shard
 from pliant.ensemble.plan import EnsemblePlan, Shard
+from pliant.ensemble.scratch import partial_name, publish
+from pliant.ensemble.time_limit import OutOfTimeError, seconds_left
 
-MAKING = "making"  #: folder of unfinished shards; what killed workers leave there is removed
 _WITH_FRAMES = (0, 3)  #: exit codes of a command that has written all that it could
 _BAD_OPTION = 2
+
+#: Tells a command to commit and end, however often it comes.
+_END = getattr(signal, "SIGUSR1", signal.SIGTERM)
+
+#: Seconds until a command has done so.
+_END_SECONDS = 60.0
+
+
+@dataclass(frozen=True)
+class Making:
+    """How shards are made, which changes nothing of them."""
+
+    scratch: str | None = None  #: folder on a disk of the machine; may hold variables
+    deadline: float | None = None  #: when to commit and end (time.time())
+    commit_seconds: float | None = None  #: between commits; None: the command's own
 
 
 class ShardError(Error):
     """A shard could not be made; another attempt might succeed."""
 
 
-def make_shard(plan: EnsemblePlan, shard: Shard, folder: str) -> ShardRecord:
+def make_shard(
+    plan: EnsemblePlan, shard: Shard, folder: str, how: Making | None = None
+) -> ShardRecord:
     """Makes a shard, unless it is there and whole, and returns its record.
+
+    What an attempt before this one has committed is not made again; the bytes are the same.
 
     The file takes its name when it is whole, and then replaces one that is not. Where two make the
     same shard, the first one's file stays. Raises OptionError if the command takes an option for
-    bad, ShardError if it fails.
+    bad, ShardError if it fails, OutOfTimeError where the deadline came first.
     """
     target = Path(folder, shard.name)
     is_damaged = False
@@ -45,38 +64,16 @@ def make_shard(plan: EnsemblePlan, shard: Shard, folder: str) -> ShardRecord:
         except InputError as error:
             warn(f"{error}: it is made again")
             is_damaged = True
-    with _partial_name(Path(folder, MAKING)) as partial_file:
-        _run(plan.words(shard, str(partial_file)))
+    how = how or Making()
+    with partial_name(Path(folder), how.scratch) as partial_file:
+        commits = ["--commits", str(take_log(Path(folder), plan, shard))]
+        if how.commit_seconds is not None:
+            commits += ["--commit-seconds", str(how.commit_seconds)]
+        _call([*plan.words(shard, str(partial_file)), *commits], how.deadline)
         record = inspect_shard(plan, shard, partial_file)
-        if _publish(partial_file, target, is_damaged):
-            return record
-    return inspect_shard(plan, shard, target)
-
-
-@contextlib.contextmanager
-def _partial_name(folder: Path) -> Iterator[Path]:
-    folder.mkdir(exist_ok=True)
-    path = folder / f"{uuid.uuid4().hex}.h5md"
-    try:
-        yield path
-    finally:
-        path.unlink(missing_ok=True)
-
-
-def _publish(made: Path, target: Path, replaces: bool) -> bool:
-    """On the disk before it has its name; False where another file of that name is to stay."""
-    with open(made, "rb") as file:
-        os.fsync(file.fileno())
-    if replaces:
-        made.rename(target)
-        return True
-    try:
-        os.link(made, target)
-    except FileExistsError:
-        return False
-    except OSError:  # a file system without links
-        made.rename(target)
-    return True
+        is_ours = publish(partial_file, Path(folder), target, is_damaged)
+    remove_logs(Path(folder), shard)
+    return record if is_ours else inspect_shard(plan, shard, target)
 
 
 def check_options(plan: EnsemblePlan, folder: str) -> None:
@@ -85,24 +82,46 @@ def check_options(plan: EnsemblePlan, folder: str) -> None:
     _call([*words, "--dry-run"])
 
 
-def _run(words: list[str]) -> dict[str, Any]:
-    """The summary of the command, as JSON."""
-    summary: dict[str, Any] = json.loads(_call(words))
-    return summary
-
-
-def _call(words: list[str]) -> str:
-    """What the command printed."""
-    done = subprocess.run(
+def _call(words: list[str], deadline: float | None = None) -> str:
+    """What the command printed. It is told to commit and end where this process has to."""
+    with subprocess.Popen(
         [command_path(), *words],
-        capture_output=True,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
         text=True,
         errors="surrogateescape",
         start_new_session=True,  # Ctrl-C is for the ensemble
-        preexec_fn=partial(die_with_parent, os.getpid()) if sys.platform == "linux" else None,
-    )
-    if done.returncode in _WITH_FRAMES:
-        return done.stdout
-    why = (done.stderr.strip().splitlines() or [f"ended with {done.returncode}"])[0]
+        preexec_fn=_end_with_parent(),
+    ) as command:
+        try:
+            out, err = command.communicate(timeout=seconds_left(deadline))
+        except subprocess.TimeoutExpired:
+            out, err = _told_to_end(command)
+        except BaseException:
+            _told_to_end(command)
+            raise
+    if command.returncode in _WITH_FRAMES:
+        return out
+    if deadline is not None and command.returncode == EXIT_INTERRUPTED:
+        raise OutOfTimeError
+    why = (err.strip().splitlines() or [f"ended with {command.returncode}"])[0]
     why = re.sub(r"^pliant( \w+)?: error: ", "", why)
-    raise (OptionError if done.returncode == _BAD_OPTION else ShardError)(why)
+    raise (OptionError if command.returncode == _BAD_OPTION else ShardError)(why)
+
+
+def _told_to_end(command: subprocess.Popen[str]) -> tuple[str, str]:
+    """What it printed, once it has committed; it is killed if that takes too long."""
+    command.send_signal(_END)
+    try:
+        return command.communicate(timeout=_END_SECONDS)
+    except subprocess.TimeoutExpired:
+        command.kill()
+        return command.communicate()
+
+
+def _end_with_parent() -> Callable[[], None] | None:
+    """A worker that is killed takes its command along, which commits before."""
+    if sys.platform != "linux":
+        return None
+    return partial(die_with_parent, os.getpid(), _END)

@@ -16,6 +16,9 @@ from pliant.ensemble.options import Options, file_options, renewed, text_of, wor
 
 PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by this name
 SHARDS = "shards"  #: folder of the shards
+MAKING = "making"  #: folder of what is being made: logs of commits, and shards without a name
+LOG = ".commits"  #: how the name of a log of commits ends
+_EMPTY_LOG = 16  #: bytes of one without commits
 _FORMAT = 1
 
 #: What is wrong with a file among the shards that the plan does not have.
@@ -179,13 +182,19 @@ def write_plan(folder: Path, plan: EnsemblePlan) -> None:
 
 def withdraw(folder: Path) -> None:
     """Removes a plan that came to nothing: it binds nobody."""
-    if not has_shards(folder):
+    if not has_begun(folder):
         (folder / PLAN).unlink(missing_ok=True)
 
 
 def has_shards(folder: Path) -> bool:
     """Whether some shard is there."""
     return any((folder / SHARDS).glob("shard-*"))
+
+
+def has_begun(folder: Path) -> bool:
+    """Whether some shard is there, or a part of one."""
+    logs = (folder / MAKING).glob(f"*{LOG}")
+    return has_shards(folder) or any(log.stat().st_size > _EMPTY_LOG for log in logs)
 
 
 def strangers(folder: Path, plan: EnsemblePlan) -> list[Path]:

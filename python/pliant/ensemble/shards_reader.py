@@ -40,6 +40,11 @@ class ShardsReader:
         """The step of a frame in the run of its walker; of a sample, its number."""
         return int(self._frames.numbers(frame)["step"])
 
+    def walker(self, frame: int) -> int | None:
+        """The walker of a frame; None of a sample."""
+        found = self._frames.numbers(frame).get("walker")
+        return None if found is None else int(found)
+
     def time(self, frame: int) -> float:
         """The time of a frame in the run of its walker, ps."""
         return float(self._frames.numbers(frame)["time"])

@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "pliant/base/log.hpp"
+#include "pliant/base/system/sockets.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pliant/stream/imd_follower.hpp"
 #include "pliant/stream/imd_packets.hpp"
-#include "pliant/base/system/sockets.hpp"
 
 namespace pliant {
 

@@ -12,8 +12,8 @@ namespace pliant {
 
 /// A new file beside its final name, locked against other writers as long as it is open.
 ///
-/// The lock is that of base/system/file_lock.hpp, which conflicts with no reader. File systems without
-/// locks give no such protection.
+/// The lock is that of base/system/file_lock.hpp, which conflicts with no reader. File systems
+/// without locks give no such protection.
 class OutputFile {
  public:
   /// Creates the file under a temporary name in the directory of `target` (".NAME.partial",

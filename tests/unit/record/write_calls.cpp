@@ -51,6 +51,13 @@ int watched_ftruncate(int file, off_t size) {
 
 extern "C" {
 
+int flock(int file, int operation) noexcept {
+  if (pliant::test::NoLocks::error == 0)
+    return static_cast<int>(::syscall(SYS_flock, file, operation));
+  errno = pliant::test::NoLocks::error;
+  return -1;
+}
+
 ssize_t pwrite(int file, const void* bytes, size_t size, off_t offset) {
   if (pliant::test::watch == nullptr) return pliant::test::plain_pwrite(file, bytes, size, offset);
   return pliant::test::watched_pwrite(file, bytes, size, offset);

@@ -34,4 +34,11 @@ class WriteWatch {
   std::vector<WriteCall> calls;
 };
 
+/// While it lives, file systems have no locks (flock), as some network ones.
+struct NoLocks {
+  explicit NoLocks(int why) { error = why; }
+  ~NoLocks() { error = 0; }
+  static inline int error = 0;
+};
+
 }  // namespace pliant::test

@@ -26,7 +26,8 @@ Socket connect_to(int port) {
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   const auto* any = reinterpret_cast<const sockaddr*>(&address);
-  return connect(static_cast<int>(socket.get()), any, sizeof address) == 0 ? std::move(socket) : Socket();
+  return connect(static_cast<int>(socket.get()), any, sizeof address) == 0 ? std::move(socket)
+                                                                           : Socket();
 }
 
 Bytes bytes_of(std::string_view hexadecimal) {
@@ -64,8 +65,8 @@ Bytes forces(std::int32_t count, const std::vector<std::int32_t>& atoms,
 
 void send_all(const Socket& socket, const Bytes& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
-    const ssize_t count =
-        ::send(static_cast<int>(socket.get()), bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+    const ssize_t count = ::send(static_cast<int>(socket.get()), bytes.data() + sent,
+                                 bytes.size() - sent, MSG_NOSIGNAL);
     if (count <= 0) return;
     sent += static_cast<std::size_t>(count);
   }

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/stream/imd_packets.hpp"
 #include "pliant/base/system/sockets.hpp"
+#include "pliant/stream/imd_packets.hpp"
 
 namespace pliant::test {
 

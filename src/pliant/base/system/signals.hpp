@@ -2,6 +2,8 @@
 // What the system interrupts a process with.
 #pragma once
 
+#include <cstdint>
+
 namespace pliant {
 
 /// A write beyond the limit of file sizes (RLIMIT_FSIZE) raises SIGXFSZ, which kills the process.
@@ -22,9 +24,15 @@ class FileSizeSignalHeld {
 /// the process.
 void fail_writes_alone();
 
-/// Calls `ask` whenever the user or the system asks the process to end: Ctrl-C, SIGTERM, a closed
-/// terminal. Requests that whoever started the process has ignored stay ignored. `ask` may do only
-/// what a signal handler may.
-void call_on_request_to_end(void (*ask)());
+/// How a process is asked to end.
+enum class RequestToEnd : std::uint8_t {
+  pressed,        ///< by Ctrl-C, SIGTERM, or the end of the terminal
+  ahead_of_time,  ///< by a queue before the time is up (SIGUSR1): once or often, alone or with
+                  ///< SIGTERM
+};
+
+/// Calls `ask` whenever the user or the system asks the process to end. Requests that whoever
+/// started the process has ignored stay ignored. `ask` may do only what a signal handler may.
+void call_on_request_to_end(void (*ask)(RequestToEnd));
 
 }  // namespace pliant

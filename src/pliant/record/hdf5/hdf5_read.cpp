@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cerrno>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
@@ -51,6 +52,21 @@ std::string open_failure(const std::string& reason) {
            "\"h5clear -s --increment\" on a copy may bring it back, -s alone destroys it";
   if (reason.find("signature not found") != std::string::npos) return "is not an HDF5 file";
   return "cannot be opened: " + reason;
+}
+
+bool lacks_locks(const std::string& reason) {
+  const auto says = [&](int error) {
+    return reason.find("unable to lock file, errno = " + std::to_string(error) + ",") !=
+           std::string::npos;
+  };
+  return says(ENOLCK) || says(ENOSYS) || says(EOPNOTSUPP);
+}
+
+/// HDF5 refuses to read where a file system has no locks, as some network ones. Files of ours need
+/// none, also while they are written (committed_file.hpp).
+Hid open_unlocked(const std::string& name, std::int64_t access) {
+  checked(H5Pset_file_locking(access, false, true), "choose to read without a lock");
+  return {H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
 }
 
 bool link_exists(std::int64_t location, const std::string& path, const InsideLinks& links) {
@@ -107,7 +123,9 @@ Hid open_hdf5(const std::filesystem::path& path) {
   if (!check_hdf5_structure(path)) probe_hdf5(path);
   const Hid access = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file properties");
   checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "choose how the file closes");
-  Hid file(H5Fopen(path_text(path).c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+  const std::string name = path_text(path);
+  Hid file(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+  if (!file && lacks_locks(hdf5_reason())) file = open_unlocked(name, access);
   if (!file) throw FileError(open_failure(hdf5_reason()));
   return file;
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double degree = 0.017453292519943295, quarter = 1.5707963267948966;
 constexpr double thermal = 0.593;                   // kcal/mol, RT at 298 K
-constexpr double softened = 0.6;                    // kcal/mol, of draws
+constexpr double softness = 0.6;                    // kcal/mol, of draws
 constexpr double share_of_any = 0.2;                // crystals have unusual ones, too
 constexpr double highest = 5.0;                     // kcal/mol, far from all peaks
 constexpr double reach = 0.8;                       // widths
@@ -50,7 +50,7 @@ KindDraw kind_draw(const BondTurnEntry& row) {
   const auto add = [&](double angle, const TorsionPeak& peak) {
     const double width = peak.width * degree;
     const Turn deviation = of_angle(reach * width);
-    sum += exact_bits_exp(-peak.energy / softened);
+    sum += exact_bits_exp(-peak.energy / softness);
     kind.peaks.push_back({of_angle(angle * degree), sum, exact_bits_exp(-peak.energy / thermal),
                           1.0 / (width * width), deviation.sine / (1.0 + deviation.cosine)});
   };

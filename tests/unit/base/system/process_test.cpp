@@ -48,7 +48,8 @@ TEST(Process, EndsACopyThatTakesTooLong) {
 }
 
 TEST(Process, RunsAProgramWithInput) {
-  EXPECT_EQ(run_program_with_input("/bin/sh", {"-c", "read word; [ \"$word\" = yes ]"}, "yes\n"), 0);
+  EXPECT_EQ(run_program_with_input("/bin/sh", {"-c", "read word; [ \"$word\" = yes ]"}, "yes\n"),
+            0);
   EXPECT_EQ(run_program_with_input("/bin/sh", {"-c", "exit 7"}, std::string(1 << 20, 'x')), 7);
   EXPECT_EQ(run_program_with_input("/bin/sh", {"-c", "kill -9 $$"}, ""), -1);
 }

@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cerrno>
+
 #include "pliant/base/error.hpp"
 #include "unit/record/foreign_file.hpp"
+#include "unit/record/write_calls.hpp"
 
 namespace pliant {
 namespace h5md_reader_test {
@@ -31,6 +34,16 @@ TEST_F(H5mdReaderTest, ReadsAForeignTrajectory) {
             "is missing");
   EXPECT_EQ(failure([](const H5mdReader& r) { r.positions(4); }),
             "no frame 4: there are 4, counted from 0");
+}
+
+TEST_F(H5mdReaderTest, ReadsWithoutLocksWhereThereAreNone) {
+  { ForeignFile(path_).add_trajectory(); }
+  for (const int why : {ENOLCK, EOPNOTSUPP}) {
+    const NoLocks nowhere(why);
+    EXPECT_EQ(open().frames(), 4);
+  }
+  const NoLocks held(EWOULDBLOCK);  // by another program: that is no lack
+  EXPECT_THAT(message_of<FileError>([&] { open(); }), HasSubstr("is in use by another program"));
 }
 
 // h501

@@ -33,10 +33,12 @@ void forget_waiting(const sigset_t& signals) {
 #endif
 }
 
-std::atomic<void (*)()> ask_to_end{nullptr};
-static_assert(std::atomic<void (*)()>::is_always_lock_free);
+std::atomic<void (*)(RequestToEnd)> ask_to_end{nullptr};
+static_assert(std::atomic<void (*)(RequestToEnd)>::is_always_lock_free);
 
-void pass_on(int) { ask_to_end.load()(); }
+void pass_on(int signal) {
+  ask_to_end.load()(signal == SIGUSR1 ? RequestToEnd::ahead_of_time : RequestToEnd::pressed);
+}
 
 }  // namespace
 
@@ -59,13 +61,13 @@ void fail_writes_alone() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void call_on_request_to_end(void (*ask)()) {
+void call_on_request_to_end(void (*ask)(RequestToEnd)) {
   ask_to_end = ask;
   // A shell starts background jobs with Ctrl-C ignored: it is meant for the job in front. nohup
   // ignores the end of a terminal.
   for (const int signal : {SIGINT, SIGHUP})
     if (std::signal(signal, pass_on) == SIG_IGN) std::signal(signal, SIG_IGN);
-  std::signal(SIGTERM, pass_on);
+  for (const int signal : {SIGTERM, SIGUSR1}) std::signal(signal, pass_on);
 }
 
 }  // namespace pliant

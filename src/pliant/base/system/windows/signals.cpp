@@ -8,12 +8,12 @@
 namespace pliant {
 namespace {
 
-std::atomic<void (*)()> ask_to_end{nullptr};
+std::atomic<void (*)(RequestToEnd)> ask_to_end{nullptr};
 
 /// Runs in a thread of its own. After the end of a terminal Windows ends the process when this
 /// returns: it waits for the end that was asked for.
 BOOL WINAPI pass_on(DWORD request) {
-  ask_to_end.load()();
+  ask_to_end.load()(RequestToEnd::pressed);
   if (request != CTRL_C_EVENT && request != CTRL_BREAK_EVENT) ::Sleep(INFINITE);
   return TRUE;
 }
@@ -25,7 +25,7 @@ FileSizeSignalHeld::~FileSizeSignalHeld() = default;
 
 void fail_writes_alone() {}
 
-void call_on_request_to_end(void (*ask)()) {
+void call_on_request_to_end(void (*ask)(RequestToEnd)) {
   ask_to_end = ask;
   ::SetConsoleCtrlHandler(pass_on, TRUE);
 }

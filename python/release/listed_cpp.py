@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""The C++ interface as lines: what the headers of pliant.hpp declare in namespace pliant."""
+
+from __future__ import annotations
+
+import re
+import sys
+
+from project import ROOT, Project
+
+sys.path.insert(0, str(ROOT / "docs" / "tools"))
+
+import headers
+
+PRIVATE = re.compile(r"\bnamespace detail\b")
+TYPE = re.compile(r"(?:template ?<.*?> ?)?(?:class|struct|enum class|enum) (?:\[\[\w+\]\] )?(\w+)")
+
+
+def lines(project: Project) -> list[str]:
+    """One line for each declaration, and for each public member of a type."""
+    found: list[str] = []
+    for folder, name in headers.INCLUDED.findall(project.text("src/pliant/pliant.hpp")):
+        found.append(f'#include "pliant/{folder}/{name}"')
+        text = project.text(f"src/pliant/{folder}/{name}").splitlines()
+        start = next(k for k, line in enumerate(text) if line.startswith("#"))
+        if text[start] == "#pragma once":
+            for _, declared in headers.entities(text[start + 1 :]):
+                found += _lines_of(declared)
+    return sorted(set(found))
+
+
+def _lines_of(declared: list[str]) -> list[str]:
+    """A declaration as one line; a type as its name and one line for each member."""
+    code = [re.sub(r"\s*///?.*", "", line) for line in declared]
+    text = " ".join(" ".join(code).split())
+    match = TYPE.match(text)
+    if not match or "{" not in text:
+        return [text.rstrip("; ") + ";"] if text else []
+    head, _, body = text.partition("{")
+    return [f"{head.strip()};", *(f"{match[1]}::{one}" for one in _members(body, head))]
+
+
+def _members(body: str, head: str) -> list[str]:
+    """What stands directly between the braces, without bodies of functions."""
+    separators, depth, one, found = ",;" if "enum" in head else ";", 0, "", []
+    for letter in body.replace("public:", ""):
+        if depth == 0 and letter in "{":
+            one = one.rstrip()
+        depth += (letter in "{(") - (letter in "})")
+        if depth < 0:
+            break
+        ended = (depth == 0 and letter in separators) or (letter == "}" and depth == 0)
+        if ended and not (letter == "}" and not _is_function(one)):
+            found.append(_declared(one + letter))
+            one = ""
+        else:
+            one += letter
+    found.append(_declared(one))
+    return [text for text in found if text]
+
+
+def _is_function(text: str) -> bool:
+    return bool(re.search(r"\)[^(]*(\{|:)", text)) and "=" not in text.partition("(")[0]
+
+
+def _declared(text: str) -> str:
+    """A member without its body, or without what only its place in a list needs."""
+    text = " ".join(text.split()).strip(" ;,")
+    if _is_function(text):
+        text = re.sub(r"\)(\s*(?:const|noexcept|override)*)\s*[:{].*", r")\1", text)
+    return text.strip()
+
+
+def serves(new: str, old: str) -> bool:
+    """Whether what compiled with the old declaration compiles with the new one."""
+    if new == old:
+        return True
+    end = re.search(r"\)( const)?( noexcept)?;?$", old)
+    if not end or not new.endswith(end[0]):
+        return False
+    head, more = old[: end.start()], new.removesuffix(end[0])
+    added = more.removeprefix(head)
+    return more.startswith(head) and added.startswith(", ") and _all_have_defaults(added[2:])
+
+
+def _all_have_defaults(parameters: str) -> bool:
+    return all("=" in one for one in re.split(r",(?![^<({]*[>)}])", parameters))

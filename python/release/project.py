@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""The repository that is released: its texts, its version, its commit."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python"))
+
+import package_metadata  # noqa: E402
+
+VERSION = re.compile(r"^project\(pliant VERSION ([\d.]+)", re.MULTILINE)
+
+
+class Project(NamedTuple):
+    """A checkout of Pliant."""
+
+    root: Path = ROOT
+
+    def text(self, name: str) -> str:
+        """The text of a file, by its path from the top; empty if there is none."""
+        path = self.root / name
+        return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+    def version(self) -> str:
+        """The version that CMakeLists.txt states."""
+        found = VERSION.search(self.text("CMakeLists.txt"))
+        if not found:
+            raise ValueError("CMakeLists.txt: no line project(pliant VERSION ...)")
+        return found[1]
+
+    def address(self) -> str:
+        """Where the repository can be read; empty if nowhere yet."""
+        return package_metadata.repository(self.root)
+
+    def maintainers(self) -> list[str]:
+        """Their accounts at that address."""
+        return list(package_metadata.project_settings(self.root)["maintainers"])
+
+    def git(self, *words: str) -> str:
+        """What git says; empty if it fails, or if this is no clone."""
+        command = ["git", *words]
+        done = subprocess.run(command, cwd=self.root, capture_output=True, text=True, check=False)
+        return done.stdout.rstrip("\n") if done.returncode == 0 else ""
+
+    def commit(self) -> str:
+        """The commit that is checked out."""
+        return self.git("rev-parse", "HEAD")
+
+    def changed(self) -> list[str]:
+        """Files that differ from the commit, or are not in it."""
+        return [line[3:] for line in self.git("status", "--porcelain").splitlines()]
+
+    def files(self) -> list[str]:
+        """Every file that git knows, by its path from the top."""
+        return [name for name in self.git("ls-files").splitlines() if (self.root / name).is_file()]

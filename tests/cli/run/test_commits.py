@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""A run in one file goes on from its last commit, with the bytes of one that nobody disturbed."""
+
+import json
+import random
+import shutil
+import signal
+import subprocess
+
+import pytest
+from commit_logs import commits_in, steps_in, wait_for_commits
+from ensembles import COMMAND, PEPTIDE
+
+WALKERS, STEPS = 12, 240
+RUN = {"--shard": f"3..{2 + WALKERS}", "--threads": 1, "--topology": "none"}
+RUN |= {"--steps": STEPS, "--every": 50, "-o": "o.h5md"}
+LOG = {"--commits": "o.log"}
+AT_ONCE = {**LOG, "--commit-seconds": 0}
+
+
+def words_of(more):
+    words = [word for pair in (RUN | more).items() for word in pair]
+    return [str(word) for word in (COMMAND, "run", PEPTIDE, *words, "--one-file", "--json")]
+
+
+def ran(folder, more=None, code=0):
+    words = words_of(LOG | (more or {}))
+    ended = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=120)
+    assert ended.returncode == code, ended.stderr
+    return ended
+
+
+def stopped(folder, count, how=signal.SIGKILL, more=None):
+    """Stops a run as soon as its log has so many commits more; its exit code."""
+    words = words_of(AT_ONCE | (more or {}))
+    with subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL) as child:
+        wait_for_commits(child, folder / "o.log", count)
+        child.send_signal(how)
+        return child.wait()
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """The bytes that are wanted."""
+    folder = tmp_path_factory.mktemp("whole")
+    subprocess.run(words_of({}), cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    return (folder / "o.h5md").read_bytes()
+
+
+@pytest.fixture(scope="module")
+def log(tmp_path_factory):
+    """What a run has left behind that was killed when some walkers were done. Not to be changed."""
+    folder = tmp_path_factory.mktemp("log")
+    assert stopped(folder, 8 * STEPS + 700) == -signal.SIGKILL
+    done = [one for one in commits_in(folder / "o.log") if one.is_done]
+    assert 0 < len(done) < WALKERS
+    return folder / "o.log"
+
+
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.long)])
+def test_killed_after_any_number_of_commits(tmp_path, whole, seed):
+    draw = random.Random(seed)
+    for _ in range(6):
+        assert stopped(tmp_path, draw.randrange(1, 400)) == -signal.SIGKILL
+    before = steps_in(tmp_path / "o.log")
+    assert before > 0
+    result = json.loads(ran(tmp_path).stdout)
+    assert result["steps"] == WALKERS * STEPS - before  # nothing that was committed is done again
+    assert (tmp_path / "o.h5md").read_bytes() == whole
+    assert not (tmp_path / "o.log").exists()
+
+
+def test_a_log_that_is_cut_anywhere(tmp_path, whole, log):
+    draw = random.Random(3)
+    size = log.stat().st_size
+    for length in [0, 7, 16, 17, size - 1, *(draw.randrange(size) for _ in range(6))]:
+        (tmp_path / "o.log").write_bytes(log.read_bytes()[:length])
+        before = steps_in(tmp_path / "o.log")
+        result = json.loads(ran(tmp_path).stdout)
+        assert result["steps"] == WALKERS * STEPS - before
+        assert (tmp_path / "o.h5md").read_bytes() == whole, length
+        (tmp_path / "o.h5md").unlink()
+
+
+def test_a_flipped_bit_ends_what_counts(tmp_path, whole, log):
+    data = bytearray(log.read_bytes())
+    data[len(data) // 2] ^= 4
+    (tmp_path / "o.log").write_bytes(data)
+    result = json.loads(ran(tmp_path).stdout)
+    assert WALKERS * STEPS - steps_in(log) < result["steps"] < WALKERS * STEPS
+    assert (tmp_path / "o.h5md").read_bytes() == whole
+
+
+@pytest.mark.parametrize("how", [signal.SIGUSR1, signal.SIGTERM, signal.SIGINT])
+def test_a_signal_commits_all_that_is_done(tmp_path, whole, how):
+    for _ in range(3):
+        assert stopped(tmp_path, 300, how) == 130
+    before = steps_in(tmp_path / "o.log")
+    result = json.loads(ran(tmp_path).stdout)
+    assert result["steps"] == WALKERS * STEPS - before
+    assert (tmp_path / "o.h5md").read_bytes() == whole
+
+
+def test_sigusr1_may_come_again(tmp_path):
+    words = words_of(AT_ONCE | {"--steps": 10**6})
+    with subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.DEVNULL) as child:
+        wait_for_commits(child, tmp_path / "o.log", 20)
+        for number in (signal.SIGUSR1, signal.SIGTERM, signal.SIGUSR1):
+            child.send_signal(number)
+        assert child.wait() == 130
+    assert {one.walker for one in commits_in(tmp_path / "o.log")} == set(range(3, 11))
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"--model": "protein", "--every": 77},
+        {"--save": "name CA"},
+        {"--precision": 1e-2, "--threads": 3},
+    ],
+)
+def test_other_options(tmp_path, more):
+    words = words_of(more | {"-o": "whole.h5md"})
+    subprocess.run(words, cwd=tmp_path, check=True, stdout=subprocess.DEVNULL)
+    for count in (3, 200, 500):
+        assert stopped(tmp_path, count, signal.SIGKILL, more) == -signal.SIGKILL
+    ran(tmp_path, more)
+    assert (tmp_path / "o.h5md").read_bytes() == (tmp_path / "whole.h5md").read_bytes()
+
+
+@pytest.mark.parametrize("more", [{"--seed": 7}, {"--steps": 7}, {"--every": 7}])
+def test_the_log_of_another_run_is_refused(tmp_path, log, more):
+    shutil.copy(log, tmp_path / "o.log")
+    ended = ran(tmp_path, more, code=1)
+    text = "o.log: has the commits of another run: give another name, or remove it"
+    assert ended.stderr == f"pliant: error: {text}\n"
+    assert (tmp_path / "o.log").read_bytes() == log.read_bytes()
+    assert not (tmp_path / "o.h5md").exists()
+
+
+def test_what_is_no_log_is_refused(tmp_path):
+    (tmp_path / "o.log").write_text("something that somebody has written down")
+    assert "o.log: is no log of commits" in ran(tmp_path, code=1).stderr
+    assert (tmp_path / "o.log").read_text().startswith("something")
+
+
+def test_a_run_whose_log_is_taken_over_goes_on_without(tmp_path, whole):
+    with subprocess.Popen(
+        words_of(AT_ONCE), cwd=tmp_path, stdout=subprocess.PIPE, text=True
+    ) as child:
+        wait_for_commits(child, tmp_path / "o.log", 10)
+        (tmp_path / "o.log").rename(tmp_path / "taken.log")
+        out = child.communicate(timeout=120)[0]
+    assert (child.returncode, out.count("o.log: is gone")) == (0, 1)
+    assert (tmp_path / "o.h5md").read_bytes() == whole
+    (tmp_path / "o.h5md").unlink()
+    (tmp_path / "taken.log").rename(tmp_path / "o.log")
+    ran(tmp_path)
+    assert (tmp_path / "o.h5md").read_bytes() == whole
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--commits", "c.log"), "--commits: goes with --one-file"),
+        (("--commit-seconds", 1), "--commit-seconds: goes with --commits"),
+        (("--walkers", 2, "--one-file", "--commits", "c.log", "--commit-seconds", -1), "from 0"),
+    ],
+)
+def test_what_does_not_go_together(pliant, ethanol, words, message):
+    ended = pliant("run", ethanol, *words)
+    assert ended.code == 2
+    assert message in ended.err

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: MIT
+"""Shards go on from their last commit: after kills, signals, and when the time is nearly over."""
+
+import random
+import signal
+import subprocess
+import sys
+import time
+
+import psutil
+import pytest
+from commit_logs import steps_in
+from ensembles import COMMAND, PEPTIDE, call, made, shards_of, start
+from pliant.ensemble.commits import take_log
+from pliant.ensemble.plan import load_plan
+from pliant.ensemble.time_limit import deadline_of, parse_walltime
+
+from pliant import OptionError
+
+WORDS = ("--walkers", 16, "--shard-size", 8, "--steps", 3000, "--every", 500)
+OFTEN = ("--commit-seconds", "0.01")
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory, there):
+    """An ensemble that nobody disturbed."""
+    folder = tmp_path_factory.mktemp("whole") / "many"
+    made(PEPTIDE, "-o", folder, *WORDS, *there)
+    return folder
+
+
+@pytest.fixture
+def planned(tmp_path):
+    """The folder of an ensemble without shards."""
+    script = ("--slurm-script", tmp_path / "jobs.sh")
+    assert call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, *script).returncode == 0
+    return tmp_path / "many"
+
+
+def same_bytes(folder, whole):
+    pairs = zip(shards_of(folder), shards_of(whole), strict=True)
+    return all(ours.read_bytes() == theirs.read_bytes() for ours, theirs in pairs)
+
+
+def committed_steps(folder):
+    return sum(steps_in(log) for log in (folder / "making").glob("*.commits"))
+
+
+def commands_below(process):
+    """The processes that make shards."""
+    try:
+        children = psutil.Process(process.pid).children(recursive=True)
+        return [child for child in children if "--shard" in child.cmdline()]
+    except psutil.Error:
+        return []
+
+
+def wait_for_steps(process, folder, steps):
+    while committed_steps(folder) < steps and process.poll() is None:
+        time.sleep(0.01)
+
+
+def only(folder, shard, *words):
+    words = [COMMAND, "ensemble", "-o", folder, "--only", shard, *OFTEN, *words]
+    return subprocess.Popen([*map(str, words)], stderr=subprocess.PIPE, text=True)
+
+
+def test_commands_that_are_killed_are_gone_on_with(tmp_path, whole):
+    folder, draw, killed = tmp_path / "many", random.Random(1), 0
+    client = start(PEPTIDE, "-o", folder, *WORDS, *OFTEN, "--workers", 1, "--retries", 20)
+    while client.poll() is None and killed < 6:
+        wait_for_steps(client, folder, committed_steps(folder) + draw.randrange(1, 3000))
+        for command in commands_below(client)[:1]:
+            command.kill()
+            killed += 1
+    _, err = client.communicate(timeout=250)
+    assert client.returncode == 0, err
+    assert killed >= 3
+    assert same_bytes(folder, whole)
+    assert not list((folder / "making").iterdir())
+
+
+@pytest.mark.parametrize(
+    ("how", "code"),
+    [(signal.SIGUSR1, 75), (signal.SIGTERM, 143), (signal.SIGINT, 130), (signal.SIGKILL, -9)],
+)
+def test_one_shard_is_told_to_end(planned, whole, how, code):
+    with only(planned, 0) as job:
+        wait_for_steps(job, planned, 4000)
+        commands = commands_below(job)
+        job.send_signal(how)
+        err = job.stderr.read()
+        assert job.wait(60) == code, err
+    assert not psutil.wait_procs(commands, timeout=60)[1]
+    before = committed_steps(planned)
+    assert 4000 <= before < 8 * 3000
+    for shard in (0, 1):
+        with only(planned, shard) as job:
+            assert job.wait(120) == 0
+    assert same_bytes(planned, whole)
+    if how == signal.SIGUSR1:
+        assert err == "pliant ensemble: ended by SIGUSR1: the same command goes on\n"
+
+
+def test_the_time_is_over_again_and_again(tmp_path, whole):
+    """Each start does a part, which is the reason that it ends at all."""
+    folder, codes, steps = tmp_path / "many", [], [0]
+    words = (PEPTIDE, "-o", folder, *WORDS, *OFTEN, "--workers", 1)
+    while (codes or [75])[-1] == 75 and len(codes) < 60:
+        ended = call("ensemble", *words, "--walltime", "0:04")
+        codes.append(ended.returncode)
+        steps.append(committed_steps(folder))
+        if codes[-1] == 75:
+            text = "--walltime 0:04 is nearly over: the same command goes on"
+            assert ended.stderr.splitlines()[-1] == f"pliant ensemble: {text}"
+    assert codes[-1] == 0, ended.stderr
+    assert same_bytes(folder, whole)
+
+
+@pytest.mark.parametrize("how", [signal.SIGUSR1, signal.SIGTERM])
+def test_a_signal_to_the_ensemble_has_its_shards_committed(tmp_path, whole, how):
+    folder = tmp_path / "many"
+    client = start(PEPTIDE, "-o", folder, *WORDS, "--commit-seconds", 1000, "--workers", 1)
+    while not commands_below(client) and client.poll() is None:
+        time.sleep(0.01)
+    time.sleep(0.5)
+    commands = commands_below(client)
+    client.send_signal(how)
+    client.communicate(timeout=60)
+    assert client.returncode == {signal.SIGUSR1: 75, signal.SIGTERM: 143}[how]
+    assert not psutil.wait_procs(commands, timeout=60)[1]
+    assert shards_of(folder) or committed_steps(folder) > 0
+    made(PEPTIDE, "-o", folder, *WORDS)
+    assert same_bytes(folder, whole)
+
+
+def test_one_of_two_takes_a_log(planned):
+    plan = load_plan(planned)
+    first = take_log(planned, plan, plan.shard(0))
+    first.write_bytes(bytes(100))
+    second = take_log(planned, plan, plan.shard(0))
+    assert not first.exists() and second.stat().st_size == 100
+    assert not take_log(planned, plan, plan.shard(1)).exists()
+    plan.options["--seed"] = [["7"]]
+    assert not take_log(planned, plan, plan.shard(0)).exists()
+
+
+@pytest.mark.parametrize(
+    ("text", "seconds"),
+    [
+        ("90", 5400),
+        ("0:04", 4),
+        ("12:00:00", 43200),
+        ("1-12", 129600),
+        ("2-0:30", 174600),
+        ("1-02:03:04", 93784),
+    ],
+)
+def test_a_time_is_read_as_slurm_reads_it(text, seconds):
+    assert parse_walltime(text) == seconds
+    assert deadline_of(text, 100.0) == 100 + seconds - min(60, seconds / 10)
+
+
+@pytest.mark.parametrize("text", ["", "0", "1h", "-1", "1:2:3:4", "1-", "infinite", "1.5"])
+def test_what_is_no_time_is_refused(text):
+    with pytest.raises(OptionError, match="expected a time as Slurm takes it"):
+        parse_walltime(text)
+
+
+def test_a_script_with_a_time(tmp_path):
+    script = tmp_path / "jobs.sh"
+    words = ("--walltime", "6:00:00", "--scratch", "--slurm-script", script)
+    assert call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, *words).returncode == 0
+    text = script.read_text()
+    for line in ("time=6:00:00", "signal=B:USR1@120", "requeue", "open-mode=append"):
+        assert f"#SBATCH --{line}\n" in text
+    assert "--scratch '$TMPDIR' --only \"$shard\" &" in text
+    subprocess.run(["sh", "-n", script], check=True)
+
+
+SBATCH = """\
+import os, signal, subprocess, sys
+folder = sys.argv[1]
+os.environ["PATH"] = folder + ":" + os.environ["PATH"]
+os.environ.update(SLURM_ARRAY_TASK_ID="0", SLURM_JOB_ID="17")
+os.execvp("sh", ["sh", folder + "/jobs.sh"])
+"""
+
+
+def test_the_script_requeues_its_job(planned, whole):
+    """With a stand-in for scontrol, which notes what it is asked for."""
+    scontrol = planned.parent / "scontrol"
+    scontrol.write_text(f'#!/bin/sh\necho "$@" >> {planned.parent}/asked\n')
+    scontrol.chmod(0o755)
+    script = planned.parent / "jobs.sh"
+    script.write_text(script.read_text().replace("--only", f"{' '.join(OFTEN)} --only"))
+    job = [sys.executable, "-c", SBATCH, str(planned.parent)]
+    with subprocess.Popen(job, stderr=subprocess.PIPE) as first:
+        wait_for_steps(first, planned, 4000)
+        first.send_signal(signal.SIGUSR1)
+        assert first.wait(60) == 75
+    assert (planned.parent / "asked").read_text() == "requeue 17\n"
+    subprocess.run(job, check=True, stdout=subprocess.DEVNULL)
+    assert shards_of(planned)[0].read_bytes() == shards_of(whole)[0].read_bytes()

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""Disks of the machine that makes a shard, and file systems without locks."""
+
+import errno
+import os
+import time
+
+import h5py
+import pytest
+from ensembles import PEPTIDE, call, made, shards_of, start
+from pliant.ensemble import folder_lock, scratch
+from pliant.ensemble.folder_lock import alone_in, mount_of
+
+from pliant import FileError, _hdf5
+
+WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
+
+
+def test_shards_come_from_a_scratch_disk(ensemble, tmp_path):
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    env = {**os.environ, "TMPDIR": str(disk)}
+    words = (*WORDS, "--workers", 1, "--scratch")
+    made(PEPTIDE, "-o", tmp_path / "many", *words, env=env)
+    pairs = zip(shards_of(tmp_path / "many"), shards_of(ensemble), strict=True)
+    assert all(ours.read_bytes() == theirs.read_bytes() for ours, theirs in pairs)
+    assert not list(disk.glob("*.h5md")) and not list((tmp_path / "many" / "making").iterdir())
+
+
+def test_unfinished_shards_lie_on_the_scratch_disk(tmp_path):
+    disk, folder = tmp_path / "disk", tmp_path / "many"
+    disk.mkdir()
+    words = ("--walkers", 8, "--steps", 10**6, "--every", 10**5, "--workers", 1)
+    client = start(PEPTIDE, "-o", folder, *words, "--scratch", disk, "--commit-seconds", "0.01")
+    while not any(log.stat().st_size > 16 for log in folder.glob("making/*.commits")):
+        assert client.poll() is None
+        time.sleep(0.01)
+    there = [path.name for path in disk.iterdir()]
+    client.kill()
+    client.communicate()
+    assert len(there) == 1 and there[0].endswith(".h5md.partial")
+    assert not list(folder.glob("making/*.h5md*"))
+
+
+@pytest.mark.parametrize(
+    ("where", "message"),
+    [
+        ("$NO_SUCH_DISK/x", "--scratch $NO_SUCH_DISK/x: NO_SUCH_DISK is not set"),
+        ("/no/such/disk", "--scratch /no/such/disk: /no/such/disk: expected a folder"),
+    ],
+)
+def test_a_scratch_disk_that_is_not_there(tmp_path, where, message, there):
+    words = (*WORDS, *there, "--scratch", where)
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *words)
+    assert ended.returncode == 2
+    assert f"{message}" in ended.stderr
+
+
+def test_a_shard_is_moved_as_a_whole(tmp_path):
+    (tmp_path / "making").mkdir()
+    (tmp_path / "shards").mkdir()
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    (disk / "a.h5md").write_bytes(b"shard")
+    target = tmp_path / "shards" / "s.h5md"
+    assert scratch.publish(disk / "a.h5md", tmp_path, target, False)
+    (disk / "a.h5md").write_bytes(b"other")
+    assert not scratch.publish(disk / "a.h5md", tmp_path, target, False)
+    assert target.read_bytes() == b"shard"
+    assert scratch.publish(disk / "a.h5md", tmp_path, target, True)
+    assert target.read_bytes() == b"other"
+    assert not list((tmp_path / "making").iterdir())
+
+
+@pytest.mark.parametrize("number", [errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP])
+def test_a_file_system_without_locks_is_told_once(tmp_path, monkeypatch, capfd, number):
+    def refuse(file):
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(folder_lock, "_try_lock", refuse)
+    with alone_in(tmp_path / "many"):
+        pass
+    err = capfd.readouterr().err
+    assert err.count("takes no lock: see to it that no other machine") == 1
+
+
+@pytest.mark.parametrize(("number", "is_read"), [(errno.ENOLCK, True), (errno.EAGAIN, False)])
+def test_shards_are_read_where_there_are_no_locks(ensemble, monkeypatch, number, is_read):
+    whole = h5py.File
+
+    def refuse(name, mode="r", locking=None):
+        if locking is False:
+            return whole(name, mode, locking=False)
+        raise OSError(f"Unable to open file (unable to lock file, errno = {number})")
+
+    monkeypatch.setattr(h5py, "File", refuse)
+    path = shards_of(ensemble)[0]
+    if is_read:
+        _hdf5._opened_file(str(path)).close()
+    else:
+        with pytest.raises(FileError, match="cannot be opened"):
+            _hdf5._opened_file(str(path))
+
+
+def test_a_lock_that_another_holds_is_an_error(tmp_path):
+    message = "another pliant ensemble is at work in it"
+    with alone_in(tmp_path), pytest.raises(FileError, match=message), alone_in(tmp_path):
+        pass
+
+
+@pytest.mark.parametrize(
+    ("line", "is_told"),
+    [
+        ("server:/home {} nfs rw,vers=3,nolock,addr=10.0.0.1 0 0", True),
+        ("server:/home {} nfs4 rw,vers=4.2,local_lock=none 0 0", False),
+        ("10.0.0.1@tcp:/lustre {} lustre rw,localflock 0 0", True),
+        ("10.0.0.1@tcp:/lustre {} lustre rw,flock 0 0", False),
+        ("/dev/sda1 {} ext4 rw,nolock 0 0", False),
+    ],
+)
+def test_locks_of_one_machine_are_told(tmp_path, monkeypatch, capfd, line, is_told):
+    folder = tmp_path / "with space"
+    mounts = tmp_path / "mounts"
+    point = str(folder).replace(" ", "\\040")
+    mounts.write_text(f"/dev/root / ext4 rw 0 0\n{line.format(point)}\nx /other nfs nolock 0 0\n")
+    monkeypatch.setattr(folder_lock, "_MOUNTS", mounts)
+    with alone_in(folder / "many"):
+        pass
+    assert ("hold on this machine only" in capfd.readouterr().err) == is_told
+    assert mount_of(folder / "many")[0] == line.split()[2]
+    monkeypatch.setattr(folder_lock, "_MOUNTS", tmp_path / "none")
+    assert mount_of(folder) == ("", set())

@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: MIT
+"""./dev release --quick of these files passes, and each of its checks can fail."""
+
+import hashlib
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+sys.path.insert(0, str(ROOT / "python" / "release"))
+
+import addresses  # noqa: E402
+import changelog  # noqa: E402
+import checks  # noqa: E402
+import conda_recipe  # noqa: E402
+import pictures  # noqa: E402
+import product  # noqa: E402
+import registry_kit  # noqa: E402
+import versions  # noqa: E402
+from project import Project  # noqa: E402
+
+yaml = pytest.importorskip("yaml", reason="PyYAML is not installed")
+
+THESE = Project(ROOT)
+ADDRESS = "https://git.invalid/someone/pliant"
+SECTION = "\nWhat it is.\n\n### Added\n\n- A thing.\n\n### Fixed\n\n- A [fault](docs/a.md).\n"
+
+is_clone = pytest.mark.skipif(not THESE.files(), reason="this is no clone: git lists no files")
+
+
+@pytest.fixture
+def small(tmp_path):
+    """A clone with what the quick checks read, and nothing wrong in it."""
+    files = {
+        "CMakeLists.txt": "project(pliant VERSION 1.2.3 LANGUAGES CXX)\n",
+        "CITATION.cff": "version: 1.2.3\ndate-released: 2027-01-02\n",
+        "CHANGELOG.md": f"# Changelog\n\n## 1.2.3 (2027-01-02)\n{SECTION}",
+        "pyproject.toml": '[tool.pliant]\nrepository = ""\nmaintainers = []\n',
+        "docs/page.md": "![A thing](pictures/thing.png)\n",
+        "docs/pictures/thing.png": "",
+        "docs/make_pictures.py": '"thing.png"\n',
+    }
+    for name, text in files.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    in_git(tmp_path, "init", "--quiet")
+    commit(tmp_path)
+    return Project(tmp_path)
+
+
+def in_git(folder, *words):
+    who = ("-c", "user.name=a", "-c", "user.email=a@b.invalid")
+    subprocess.run(["git", *who, *words], cwd=folder, check=True, capture_output=True)
+
+
+def commit(folder):
+    in_git(folder, "add", "--all")
+    in_git(folder, "commit", "--quiet", "--allow-empty", "--message", "a")
+
+
+def put(project, name, old, new):
+    """Replaces a text in a file of the project."""
+    path = project.root / name
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+
+
+# One works on these files, so that the tree is not clean, and names are added that no list has yet.
+OF_EVERY_CHANGE = [c for c in checks.QUICK if c.look not in (checks.tree, checks.promises)]
+
+
+@is_clone
+@pytest.mark.parametrize("check", OF_EVERY_CHANGE, ids=lambda check: check.name)
+def test_these_files_pass(check):
+    result = check.look(THESE)
+    assert result.passed, result
+
+
+def test_a_small_project_passes(small):
+    looked = [checks.tree, checks.version, checks.changes, checks.address, checks.shown]
+    assert [look(small) for look in looked if not look(small).passed] == []
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "said"),
+    [
+        ("CITATION.cff", "1.2.3", "1.2.4", "CITATION.cff: version 1.2.4"),
+        ("CHANGELOG.md", "## 1.2.3", "## 1.2.2", "CHANGELOG.md: version 1.2.2"),
+        ("CITATION.cff", "2027-01-02", "2027-01-03", "CITATION.cff: date 2027-01-03"),
+        ("CHANGELOG.md", "(2027-01-02)", "(not released)", "is no date"),
+        ("CITATION.cff", "date-released", "date", "date is missing"),
+    ],
+)
+def test_a_version_or_day_that_differs_is_found(small, name, old, new, said):
+    put(small, name, old, new)
+    found = versions.differences(small)
+    assert any(said in line for line in found), found
+    assert not checks.version(small).passed
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("- A thing.", "- A thing\n  that goes on.", "more than one line"),
+        ("- A thing.", "- A thing", "no full stop"),
+        ("- A thing.", "- " + "a" * 300 + ".", "characters, at most"),
+        ("- A thing.\n", "", "nothing under Added"),
+        ("### Added", "### Wonders", "must be of"),
+        ("### Added", "### Removed\n\n- A name.\n\n### Added", "in this order"),
+    ],
+)
+def test_a_change_that_is_not_one_line_is_found(old, new, said):
+    lines = SECTION.replace(old, new).splitlines()
+    assert any(said in line for line in changelog.problems(lines)), changelog.problems(lines)
+
+
+def test_a_section_ends_where_the_next_begins():
+    text = "# C\n## 1.2.0 (a)\n- one.\n## 1.2 (b)\n- two.\n"
+    assert changelog.section(text, "1.2.0") == ["- one."]
+    assert changelog.section(text, "1.2") == ["- two."]
+    assert changelog.section(text, "1") == []
+    assert changelog.problems([]) == ["no changes"]
+
+
+def test_notes_have_no_links_of_the_repository():
+    text = changelog.notes(SECTION.splitlines(), "Pliant 1.2.3")
+    assert text.startswith("Pliant 1.2.3\n\nWhat it is.\n\n## Added\n\n- A thing.")
+    assert "- A fault.\n" in text
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("a.md", "see https://pliant." + "example/pliant for more", "an invented address"),
+        ("a.toml", 'url = "https://example.' + 'com/pliant"', "an invented address"),
+        ("a.yml", f"home: {ADDRESS}", "stands in pyproject.toml already"),
+    ],
+)
+def test_an_address_that_is_invented_or_twice_is_found(small, name, text, said):
+    put(small, "pyproject.toml", 'repository = ""', f'repository = "{ADDRESS}"')
+    (small.root / name).write_text(text + "\n")
+    commit(small.root)
+    (found,) = addresses.problems(small)
+    assert said in found
+
+
+def test_an_address_is_https(small):
+    put(small, "pyproject.toml", 'repository = ""', 'repository = "git.invalid"')
+    assert "no https address" in addresses.problems(small)[0]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("docs/page.md", "![A](pictures/other.png)", "there is no picture docs/pictures/other.png"),
+        ("docs/page.md", "no picture", "thing.png: no page shows it"),
+        ("docs/make_pictures.py", "", "thing.png: no script makes it"),
+    ],
+)
+def test_a_picture_that_is_missing_or_from_nowhere_is_found(small, name, text, said):
+    (small.root / name).write_text(text)
+    assert any(said in line for line in pictures.problems(small)), pictures.problems(small)
+
+
+def test_a_tree_with_changes_is_found(small):
+    (small.root / "new.txt").write_text("")
+    assert checks.tree(small).details == ["new.txt: not in the commit"]
+
+
+def test_a_run_counts_for_the_commit_it_was_made_with(small):
+    folder = small.root / checks.DONE
+    folder.mkdir(parents=True)
+    (folder / "test--all").write_text(small.commit() + "\n")
+    assert checks.done(small, "test", "test--all") == "test--all"
+    assert checks.tests(small).passed
+    commit(small.root)
+    assert checks.done(small, "test", "test--all") == ""
+
+
+def test_a_new_version_is_written_everywhere(small):
+    versions.write(small, "1.3.0", "2027-03-04")
+    assert versions.differences(small) == []
+    assert small.version() == "1.3.0"
+    assert "## 1.2.3 (2027-01-02)" in small.text("CHANGELOG.md")
+    versions.write(small, "1.3.0", "2027-03-05")
+    assert small.text("CHANGELOG.md").count("## 1.3.0 (2027-03-05)") == 1
+
+
+def made(project):
+    """Wheels of all systems but one, and an archive, all of them empty."""
+    for folder in (product.WHEELS, product.SOURCES):
+        (project.root / folder).mkdir(parents=True)
+    platforms = "manylinux_2_28_x86_64", "manylinux_2_28_aarch64", "macosx_11_0_arm64", "win_amd64"
+    for python in product.PYTHONS:
+        for platform in platforms:
+            (project.root / product.WHEELS / f"pliant-1.2.3-{python}-{platform}.whl").touch()
+    product.sources(project).write_text("sources")
+
+
+def test_a_wheel_that_is_missing_is_named(small):
+    made(small)
+    assert product.missing_wheels(small) == [f"macOS x86_64, {p}" for p in product.PYTHONS]
+
+
+def test_the_folder_has_sums_notes_and_recipe(small, tmp_path):
+    made(small)
+    (small.root / product.WHEELS / "pliant-1.2.2-cp312-abi3-win_amd64.whl").touch()  # an old one
+    folder = tmp_path / "made"
+    names = {path.name for path in product.make(small, folder)}
+    assert {"SHA256SUMS", "RELEASE_NOTES.md", "recipe.yaml", "pliant-1.2.3.tar.gz"} <= names
+    assert "metadata.yaml" not in names  # without an address it would say nothing
+    rows = dict(reversed(r.split("  ")) for r in (folder / "SHA256SUMS").read_text().splitlines())
+    assert len(rows) == 13
+    assert rows["pliant-1.2.3.tar.gz"] == hashlib.sha256(b"sources").hexdigest()
+    assert rows["pliant-1.2.3.tar.gz"] in (folder / "recipe.yaml").read_text()
+
+
+# --- the registry of MDAKits ---------------------------------------------------------------------
+
+#: what the registry requires, and what it asks for besides
+REQUIRED = {
+    *("project_name", "authors", "maintainers", "description", "keywords", "license"),
+    *("project_home", "documentation_home", "documentation_type"),
+}
+OPTIONAL = {
+    *("install", "src_install", "import_name", "python_requires", "mdanalysis_requires"),
+    *("run_tests", "test_dependencies", "project_org", "development_status", "publications"),
+    *("community_home", "changelog"),
+}
+LISTS = {"authors", "maintainers", "keywords", "install", "src_install", "run_tests"}
+
+
+@pytest.fixture(scope="module")
+def kit():
+    return yaml.safe_load(registry_kit.metadata(THESE, ADDRESS, ["one", "two"]))
+
+
+def test_the_registry_gets_every_entry_it_requires_and_no_unknown_one(kit):
+    assert REQUIRED <= set(kit) <= REQUIRED | OPTIONAL
+    assert all(kit.values())
+    assert {key for key, value in kit.items() if isinstance(value, list)} >= LISTS
+    assert kit["maintainers"] == ["one", "two"]
+
+
+def test_the_registry_gets_addresses_that_lead_to_files(kit):
+    for key in ("project_home", "documentation_home", "changelog", "src_install"):
+        text = str(kit[key])
+        assert ADDRESS in text
+        path = text.partition("/blob/HEAD/")[2]
+        assert not path or (ROOT / path).is_file()
+
+
+def test_without_an_address_it_is_said_what_the_registry_misses(small):
+    assert registry_kit.missing(small) == [
+        "repository of [tool.pliant]",
+        "maintainers of [tool.pliant]",
+    ]
+
+
+# --- conda ---------------------------------------------------------------------------------------
+
+
+def test_the_recipe_needs_what_pyproject_needs():
+    recipe = yaml.safe_load(conda_recipe.recipe(THESE, "0" * 64))
+    assert recipe["context"]["version"] == THESE.version()
+    assert recipe["source"]["sha256"] == "0" * 64
+    text = THESE.text("pyproject.toml")
+    needed = recipe["requirements"]["run"] + recipe["requirements"]["host"]
+    for name in ("numpy", "h5py", "scikit-build-core", "nanobind"):
+        (found,) = [one for one in needed if one.split(" ")[0] == name]
+        assert f'"{found.replace(" ", "")}"' in text, found
+    assert "@" not in conda_recipe.recipe(THESE, "0" * 64)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("platform", ["linux-64", "linux-aarch64", "osx-64", "osx-arm64"])
+def test_rattler_build_reads_the_recipe_and_renders_it_for_each_python(platform):
+    rattler_build = pytest.importorskip("rattler_build", reason="./dev test --all installs it")
+    recipe = rattler_build.Stage0Recipe.from_yaml(conda_recipe.recipe(THESE, "0" * 64))
+    pythons = ["3.10", "3.11", "3.12", "3.13"]
+    compilers = {"c_compiler": ["gcc"], "cxx_compiler": ["gxx"], "c_stdlib": ["sysroot"]}
+    variants = rattler_build.VariantConfig({"python": pythons} | compilers)
+    target = rattler_build.PlatformConfig(target_platform=platform)
+    rendered = recipe.render(variants, rattler_build.RenderConfig(platform=target))
+    assert len(rendered) == len(pythons)

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""What a log of commits holds, read without Pliant."""
+
+import struct
+import time
+from dataclasses import dataclass
+
+
+@dataclass
+class Commit:
+    """One of them; `step` is that of a run, or the number of a sample's last frame."""
+
+    walker: int
+    is_done: bool
+    frames_before: int
+    step: int
+
+
+def commits_in(path):
+    """All that are whole, as far as their length says."""
+    try:
+        data = path.read_bytes()
+    except FileNotFoundError:
+        return []
+    found, at = [], 16
+    while at + 16 <= len(data):
+        (words,) = struct.unpack_from("<Q", data, at)
+        if at + 16 + 8 * words > len(data):
+            break
+        walker, is_done, before, step = struct.unpack_from("<4q", data, at + 16)
+        found.append(Commit(walker, bool(is_done), before, step))
+        at += 16 + 8 * words
+    return found
+
+
+class CommitCount:
+    """Counts the commits of a log that grows, of which it looks at the lengths alone."""
+
+    def __init__(self, path):
+        self._path, self._at, self._count = path, 16, 0
+
+    def now(self):
+        try:
+            with open(self._path, "rb") as file:
+                size = file.seek(0, 2)
+                while self._at + 16 <= size:
+                    file.seek(self._at)
+                    end = self._at + 16 + 8 * struct.unpack("<Q", file.read(8))[0]
+                    if end > size:
+                        break
+                    self._at, self._count = end, self._count + 1
+        except FileNotFoundError:
+            pass
+        return self._count
+
+
+def wait_for_commits(child, path, count):
+    """Until there are so many more; not if the process ends before."""
+    log = CommitCount(path)
+    goal = log.now() + count
+    while log.now() < goal and child.poll() is None:
+        time.sleep(0.0005)
+
+
+def steps_in(path):
+    """Steps of all walkers that need not be done again."""
+    return sum({one.walker: one.step for one in commits_in(path)}.values())
