@@ -5,7 +5,12 @@
 #include "external.hpp"
 #include "pliant/base/system/path_text.hpp"
 
-extern "C" [[gnu::visibility("default")]] int pliant_command(int argc, char** argv) {
+// How a library shows a name: python/CMakeLists.txt says it where the system wants another word.
+#ifndef PLIANT_SHOWN
+#define PLIANT_SHOWN gnu::visibility("default")
+#endif
+
+extern "C" [[PLIANT_SHOWN]] int pliant_command(int argc, char** argv) {
   pliant::app::set_own_path(pliant::path_of(argv[0]));
   return pliant::app::run_command({argv + 1, argv + argc});
 }

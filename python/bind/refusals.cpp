@@ -67,9 +67,18 @@ constexpr std::array<vectorcallfunc, sizeof...(K)> calls_of(std::index_sequence<
 }
 constexpr auto calls = calls_of(std::make_index_sequence<most_kinds>());
 
+/// Whether Python calls the function by this pointer. The stable ABI only tells whether by any.
+bool is_called_at([[maybe_unused]] vectorcallfunc place, PyObject* function) {
+#ifdef Py_LIMITED_API
+  return (PyType_GetFlags(Py_TYPE(function)) & Py_TPFLAGS_HAVE_VECTORCALL) != 0;
+#else
+  return place == PyVectorcall_Function(function);
+#endif
+}
+
 void name_unfit_arguments_of(PyObject* function) {
   vectorcallfunc& place = call_of(function);
-  if (place != PyVectorcall_Function(function)) return;  // of another make than we know
+  if (!is_called_at(place, function)) return;  // of another make than we know
   for (std::size_t k = 0; k < most_kinds; ++k) {
     if (place == calls[k]) return;
     if (originals[k] == nullptr) originals[k] = place;

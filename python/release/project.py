@@ -3,17 +3,27 @@
 
 from __future__ import annotations
 
+import importlib.util
 import re
 import subprocess
-import sys
 from pathlib import Path
+from types import ModuleType
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "python"))
 
-import package_metadata  # noqa: E402
 
+def _module_beside(name: str) -> ModuleType:
+    """A module of `python` that belongs to no package; that folder is on no path: `pliant` in it is a
+    source, which would hide the installed package."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "python" / f"{name}.py")
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+package_metadata = _module_beside("package_metadata")
 VERSION = re.compile(r"^project\(pliant VERSION ([\d.]+)", re.MULTILINE)
 
 

@@ -1,92 +1,136 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds what a wheel has inside, as static libraries for glibc 2.28 and later: zlib, bzip2, xz and
-# HDF5 from Debian's sources, pugixml from the Python package. Into build/portable; what is there is
-# kept. HDF5 is built with zlib and nothing else: Debian's has curl and Kerberos with it.
+# build_dependencies.sh [TARGET...]: builds what a wheel has inside, as static libraries for the
+# systems of targets.txt (this machine's, if none is given): zlib, bzip2, xz and HDF5 from Debian's
+# sources, pugixml from the Python package. Into build/portable/TARGET; what is there is kept. HDF5
+# is built with zlib and nothing else: Debian's has curl and Kerberos with it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-readonly folder=$PWD/build/portable
-readonly suite=bookworm # of Debian: what the sources are taken from
+readonly common=$PWD/build/portable # sources and headers, the same for all
+# Of Debian: what the sources are taken from. HDF5 of bookworm asks the machine that compiles how it
+# stores numbers; that of trixie asks the one that runs.
+readonly suite=trixie
 readonly jobs=${PLIANT_JOBS:-$(nproc)}
-machine=$(uname -m)
-readonly machine
 
 # shellcheck source=src/cmake/zig.sh
 . src/cmake/zig.sh
-need_zig
-zig_tools "$folder/bin" -target "$machine-linux-gnu.2.28" -fno-sanitize=all
-system_headers "$folder/headers"
-pugixml_source "$folder/pugixml"
-export CC=$folder/bin/cc CXX=$folder/bin/c++ AR=$folder/bin/ar RANLIB=$folder/bin/ranlib
-# Whoever links these takes the functions that it calls, and shows none of them to others.
-export CFLAGS='-O2 -fPIC -w -ffunction-sections -fdata-sections -fvisibility=hidden'
+# shellcheck source=python/wheel/targets.sh
+. python/wheel/targets.sh
 
-# apt reads one list of its own, and checks what it fetches against Debian's keys.
+# apt reads one list of its own, knows of nothing that is installed, and checks what it fetches
+# against Debian's keys.
 apt_source() {
-  apt-get -o Dir::Etc::SourceList="$folder/sources.list" -o Dir::Etc::SourceParts=/dev/null \
-    -o Dir::State::Lists="$folder/lists" -o APT::Sandbox::User=root "$@"
+  apt-get -o Dir::Etc::SourceList="$common/sources.list" -o Dir::Etc::SourceParts=/dev/null \
+    -o Dir::State::Lists="$common/lists" -o Dir::State::status="$common/status" \
+    -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=root "$@"
 }
 
+# The upstream archives alone: what Debian changes is for Debian.
 fetch_sources() {
+  mkdir -p "$common/lists/partial" "$common/src"
   printf 'deb-src [signed-by=%s] http://deb.debian.org/debian %s main\n' \
-    /usr/share/keyrings/debian-archive-keyring.gpg "$suite" >"$folder/sources.list"
-  mkdir -p "$folder/lists/partial" "$folder/src"
+    /usr/share/keyrings/debian-archive-keyring.gpg "$suite" >"$common/sources.list"
+  : >"$common/status"
   apt_source update
-  (cd "$folder/src" && apt_source source --download-only zlib bzip2 xz-utils hdf5)
+  (cd "$common/src" &&
+    apt_source source --download-only --tar-only --only-source zlib bzip2 xz-utils hdf5)
 }
 
-# unpack NAME: the upstream archive of the Debian source NAME into src/NAME.
+# unpack NAME: the archive of the Debian source NAME into src/NAME.
 unpack() {
-  rm -rf "$folder/src/$1"
-  mkdir -p "$folder/src/$1"
-  tar -xf "$(find "$folder/src" -maxdepth 1 -name "$1_*.orig.tar.*[zb2]" | head -n 1)" \
-    -C "$folder/src/$1" --strip-components 1
-  cd "$folder/src/$1"
+  rm -rf "$common/src/$1"
+  mkdir -p "$common/src/$1"
+  tar -xf "$(find "$common/src" -maxdepth 1 -name "$1_*.orig.tar.*[zb2]" | head -n 1)" \
+    -C "$common/src/$1" --strip-components 1
+}
+
+need_sources() {
+  local name
+  [ ! -f "$common/src/whole-$suite" ] || return 0
+  fetch_sources
+  for name in zlib bzip2 xz-utils hdf5; do unpack "$name"; done
+  touch "$common/src/whole-$suite"
+}
+
+# build_archive NAME HEADERS FLAGS SOURCE...: libNAME.a of C or C++ files that need no configuring.
+build_archive() {
+  local name=$1 headers=$2 flags=$3 source compiler objects=$folder/objects/$1
+  mkdir -p "$objects"
+  for source in "${@:4}"; do
+    compiler=cc
+    [[ $source != *.cpp ]] || compiler=c++
+    # shellcheck disable=SC2086 # several flags, several headers
+    "$folder/bin/$compiler" $cflags $flags -c "$source" -o "$objects/$(basename "$source").o"
+  done
+  "$folder/bin/ar" rcs "$folder/lib/lib$name.a" "$objects"/*.o
+  # shellcheck disable=SC2086
+  [ -z "$headers" ] || install -m 644 -t "$folder/include" $headers
 }
 
 build_zlib() {
-  unpack zlib
-  ./configure --static --prefix="$folder"
-  make -j"$jobs" libz.a
-  make install
+  cd "$common/src/zlib"
+  build_archive z 'zlib.h zconf.h' -DHAVE_UNISTD_H=1 ./*.c
 }
 
 build_bzip2() {
-  unpack bzip2
-  make -j"$jobs" libbz2.a CC="$CC" AR="$AR" RANLIB="$RANLIB" CFLAGS="$CFLAGS"
-  install -m 644 -t "$folder/include" bzlib.h
-  install -m 644 -t "$folder/lib" libbz2.a
+  cd "$common/src/bzip2"
+  build_archive bz2 bzlib.h -D_FILE_OFFSET_BITS=64 \
+    blocksort.c huffman.c crctable.c randtable.c compress.c decompress.c bzlib.c
+}
+
+build_pugixml() { build_archive pugixml '' -std=c++17 "$common/pugixml/pugixml.cpp"; }
+
+# build_with_cmake NAME TARGET OPTION...
+build_with_cmake() {
+  cmake -S "$common/src/$1" -B "$folder/objects/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_TOOLCHAIN_FILE="$PWD/src/cmake/portable.cmake" -DPLIANT_PORTABLE="$folder" \
+    -DCMAKE_C_FLAGS="$cflags" -DCMAKE_INSTALL_PREFIX="$folder" -DCMAKE_INSTALL_LIBDIR=lib \
+    -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF "${@:3}"
+  cmake --build "$folder/objects/$1" --target "$2" -j "$jobs"
 }
 
 build_xz() {
-  unpack xz-utils
-  ./configure --prefix="$folder" --disable-shared --enable-static --disable-doc --disable-nls \
-    --disable-xz --disable-xzdec --disable-lzmadec --disable-lzmainfo --disable-scripts
-  make -j"$jobs"
-  make install
+  build_with_cmake xz-utils liblzma -DCMAKE_C_FLAGS_RELEASE=-O2 -DXZ_NLS=OFF -DXZ_DOC=OFF
+  install -m 644 "$folder/objects/xz-utils/liblzma.a" "$folder/lib"
+  cp -R "$common/src/xz-utils/src/liblzma/api/lzma.h" "$common/src/xz-utils/src/liblzma/api/lzma" \
+    "$folder/include"
 }
 
-# Its configure writes C of before 1999, which clang refuses unless told otherwise.
+# What its CMake would try by running it, it takes for granted where it cannot.
 build_hdf5() {
-  unpack hdf5
-  CFLAGS="$CFLAGS -Os -Wno-error=implicit-int -Wno-error=implicit-function-declaration" \
-    ./configure --prefix="$folder" --disable-shared --enable-static --disable-hl --disable-tests \
-    --disable-tools --without-szlib --with-zlib="$folder"
-  make -j"$jobs" -C src
-  make -C src install
+  build_with_cmake hdf5 hdf5-static -DCMAKE_C_FLAGS_RELEASE=-Os -DHDF5_EXTERNALLY_CONFIGURED=1 \
+    -DHDF5_ENABLE_Z_LIB_SUPPORT=ON -DZLIB_LIBRARY="$folder/lib/libz.a" \
+    -DZLIB_INCLUDE_DIR="$folder/include" -DHDF5_ENABLE_SZIP_SUPPORT=OFF \
+    -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_EXAMPLES=OFF -DHDF5_BUILD_HL_LIB=OFF \
+    -DHDF5_BUILD_CPP_LIB=OFF -DHDF5_BUILD_FORTRAN=OFF
+  install -m 644 "$(find "$folder/objects/hdf5" -name 'libhdf5*.a')" "$folder/lib/libhdf5.a"
+  install -m 644 -t "$folder/include" "$common"/src/hdf5/src/{,H5FDsubfiling/}*.h \
+    "$folder/objects/hdf5/src/H5pubconf.h"
 }
 
-build_pugixml() {
-  # shellcheck disable=SC2086 # several flags
-  "$CXX" -std=c++17 $CFLAGS -c "$folder/pugixml/pugixml.cpp" -o "$folder/pugixml/pugixml.o"
-  "$AR" rcs "$folder/lib/libpugixml.a" "$folder/pugixml/pugixml.o"
+# build_target NAME: in a shell of its own.
+build_target() {
+  folder=$common/$1
+  # Whoever links these takes the functions that it calls, and shows none of them to others.
+  cflags='-O2 -fPIC -w -ffunction-sections -fdata-sections -fvisibility=hidden'
+  # HDF5 takes vasprintf from mingw, which has it for those who ask.
+  [[ $1 != windows-* ]] || cflags+=' -D_GNU_SOURCE'
+  mkdir -p "$folder/include" "$folder/lib"
+  zig_tools "$folder/bin" -target "$(target_field "$1" zig)" -fno-sanitize=all
+  [ ! -f "$folder/whole-$suite" ] || return 0
+  for name in zlib bzip2 xz hdf5 pugixml; do
+    (build_$name)
+  done
+  rm -rf "$folder/objects"
+  touch "$folder/whole-$suite"
 }
 
-mkdir -p "$folder/include" "$folder/lib"
-[ -f "$folder/whole" ] && exit
-fetch_sources
-for name in zlib bzip2 xz hdf5 pugixml; do
-  (build_$name)
+need_zig
+system_headers "$common/headers"
+pugixml_source "$common/pugixml"
+need_sources
+(($#)) || set -- "$(this_target)"
+for target in "$@"; do
+  (build_target "$target")
 done
-touch "$folder/whole"

@@ -3,12 +3,12 @@
 """The command of a wheel, installed as `pliant`: calls the one that lies in the extension.
 
 So a wheel has the library once. The package itself is not imported: NumPy would take longer than
-many a command.
+many a command. On Windows this is a module, which the program that pip makes calls.
 """
 
-# As a program in C begins: Ctrl-C ends it, unless whoever started it has that ignored.
 import signal
 
+# As a program in C begins: Ctrl-C ends it, unless whoever started it has that ignored.
 if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
@@ -26,10 +26,12 @@ def _extension() -> str:
     return found.origin
 
 
-def _main() -> int:
-    words = [os.path.realpath(__file__), *sys.argv[1:]]
+def main() -> int:
+    """The exit code."""
+    words = [os.path.realpath(sys.argv[0]), *sys.argv[1:]]
     arguments = (ctypes.c_char_p * len(words))(*map(os.fsencode, words))
     return ctypes.CDLL(_extension()).pliant_command(len(words), arguments)
 
 
-sys.exit(_main())
+if __name__ == "__main__":
+    sys.exit(main())

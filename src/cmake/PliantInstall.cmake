@@ -97,7 +97,7 @@ foreach(package pliant pliant-core)
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
 endforeach()
 
-if(TARGET pliant_command)
+if(TARGET pliant_command AND NOT PLIANT_PORTABLE)
   if(BUILD_SHARED_LIBS)
     set_target_properties(pliant_command PROPERTIES INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR})
   endif()

@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import os
 import pickle
-import resource
 import signal
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -51,6 +50,10 @@ def salvage(path: str, pieces: Iterable[tuple[str, Piece]]) -> Salvage:
     """Reads the pieces of a file, each in its turn. Pieces that give None are not there."""
     result = Salvage()
     left = list(pieces)
+    if not hasattr(os, "fork"):  # Windows: where HDF5 crashes, this process ends
+        for name, piece in left:
+            _keep(result, _message(path, name, piece))
+        return result
     while left:
         done = _read_in_process(path, left, result)
         if done < len(left) and left[done][0] not in result.lost:
@@ -71,14 +74,19 @@ def _read_in_process(path: str, pieces: Sequence[tuple[str, Piece]], result: Sal
     os.close(theirs)
     done = 0
     with os.fdopen(ours, "rb") as pipe:
-        for name, is_found, value in _messages(pipe):
+        for message in _messages(pipe):
             done += 1
-            if not is_found:
-                result.lost[name] = value
-            elif value is not None:
-                result.found[name] = value
+            _keep(result, message)
     os.waitpid(child, 0)
     return done
+
+
+def _keep(result: Salvage, message: tuple[str, bool, Any]) -> None:
+    name, is_found, value = message
+    if not is_found:
+        result.lost[name] = value
+    elif value is not None:
+        result.found[name] = value
 
 
 def _messages(pipe: Any) -> Iterator[tuple[str, bool, Any]]:
@@ -88,6 +96,8 @@ def _messages(pipe: Any) -> Iterator[tuple[str, bool, Any]]:
 
 
 def _send(path: str, pieces: Sequence[tuple[str, Piece]], pipe: int) -> NoReturn:
+    import resource
+
     try:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))

@@ -8,7 +8,6 @@ its line is whole. At the end the first gets its name and the second goes.
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import json
 import os
@@ -19,6 +18,7 @@ from typing import IO, Any
 
 from pliant import _core
 from pliant._core import FileError, InputError
+from pliant._file_lock import take_lock
 from pliant.conformers.workers import Outcome
 from pliant.console import printable_name
 
@@ -147,7 +147,7 @@ def _opened(path: Path, mode: str) -> IO[bytes]:
 def _locked(path: Path, mode: str, output: Path) -> IO[bytes]:
     file = _opened(path, mode)
     try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        take_lock(file)
     except OSError:
         file.close()
         raise FileError(f"{printable_name(output)}: another process is writing it") from None

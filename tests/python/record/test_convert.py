@@ -181,7 +181,7 @@ def test_other_names_are_refused(recorded, tmp_path, ending, capsys):
     assert main([str(recorded), "-o", str(tmp_path / f"out{ending}")]) == 2
     wanted = (
         "expected a name that ends in .h5md, .h5, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, "
-        ".trr, .xyz\n"
+        ".trr, .xyz, .zarr\n"
     )
     assert capsys.readouterr().err == f"pliant convert: error: {tmp_path}/out{ending}: {wanted}"
 

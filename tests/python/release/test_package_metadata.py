@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[3]
-sys.path.insert(0, str(ROOT / "python"))
+sys.path.insert(0, str(ROOT / "python" / "release"))
 
-import package_metadata  # noqa: E402
+from project import package_metadata  # noqa: E402
 
 ADDRESS = "https://git.invalid/someone/pliant"
 LINK = re.compile(r"\]\(([^)\s]+)\)")

@@ -32,9 +32,10 @@ DWORD how_of(Opening opening) {
   return opening == Opening::to_make_anew ? CREATE_NEW : OPEN_EXISTING;
 }
 
-/// DELETE lets an open file be renamed.
+/// Not to be renamed by this handle (DELETE): HDF5, whose opening of a file does not agree to that,
+/// could not read beside it.
 HANDLE open_handle(const wchar_t* path, Opening opening) {
-  const DWORD access = is_to_read(opening) ? GENERIC_READ : GENERIC_READ | GENERIC_WRITE | DELETE;
+  const DWORD access = is_to_read(opening) ? GENERIC_READ : GENERIC_READ | GENERIC_WRITE;
   // A folder opens as well, so that messages can say that it is one.
   const DWORD flags = FILE_ATTRIBUTE_NORMAL | FILE_FLAG_BACKUP_SEMANTICS |
                       (opening == Opening::to_make ? FILE_FLAG_OPEN_REPARSE_POINT : 0);
@@ -80,15 +81,19 @@ FileKind kind_of(HANDLE handle, DWORD attributes) {
 
 /// Renames as POSIX does: who has the old file open keeps it, without a name.
 bool replace_open(const std::filesystem::path& from, const std::filesystem::path& to) {
-  const Descriptor file = open_file(from, Opening::to_change);
+  const HANDLE handle = ::CreateFileW(from.c_str(), DELETE | SYNCHRONIZE, all_may, nullptr,
+                                      OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
+  if (handle == INVALID_HANDLE_VALUE) return false;
   const std::wstring name = std::filesystem::absolute(to).native();
   std::vector<std::byte> room(sizeof(FILE_RENAME_INFO) + name.size() * sizeof(wchar_t));
   auto* asked = new (room.data()) FILE_RENAME_INFO{};
   asked->Flags = FILE_RENAME_FLAG_REPLACE_IF_EXISTS | FILE_RENAME_FLAG_POSIX_SEMANTICS;
   asked->FileNameLength = static_cast<DWORD>(name.size() * sizeof(wchar_t));
   std::memcpy(asked->FileName, name.c_str(), asked->FileNameLength + sizeof(wchar_t));
-  return file && ::SetFileInformationByHandle(handle_of(file.get()), FileRenameInfoEx, asked,
-                                              static_cast<DWORD>(room.size()));
+  const bool is_done = ::SetFileInformationByHandle(handle, FileRenameInfoEx, asked,
+                                                    static_cast<DWORD>(room.size())) != 0;
+  ::CloseHandle(handle);
+  return is_done;
 }
 
 bool move_name(const std::filesystem::path& from, const std::filesystem::path& to, DWORD flags) {
