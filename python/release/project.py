@@ -14,8 +14,10 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def _module_beside(name: str) -> ModuleType:
-    """A module of `python` that belongs to no package; that folder is on no path: `pliant` in it is a
-    source, which would hide the installed package."""
+    """A module of the folder `python`, in no package.
+
+    The folder is put on no path: `pliant` in it is a source, which hides the installed package.
+    """
     spec = importlib.util.spec_from_file_location(name, ROOT / "python" / f"{name}.py")
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)

@@ -7,7 +7,7 @@ import json
 import threading
 
 import pytest
-import versions
+import site_versions
 from browser import Page, chromium
 
 pytestmark = [
@@ -116,7 +116,7 @@ def address(tmp_path):
 
 def test_readers_choose_among_versions(site, browser, address, tmp_path):
     for version in ("0.9.0", "1.0.0", "1.0.1"):
-        versions.place(site, tmp_path, version)
+        site_versions.place(site, tmp_path, version)
     look_at(browser, f"{address}/index.html", 1400)
     browser.wait_for("document.querySelectorAll('.md-version__item').length === 2", PATIENCE)
     assert browser.evaluate("location.pathname") == "/1.0/index.html"

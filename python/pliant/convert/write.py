@@ -14,13 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from pliant import _core
-from pliant._cif_models import write_models
 from pliant._core import InputError, OptionError
 from pliant._extras import need
 from pliant._superposition import Superposition
 from pliant._trajectory.results import SampledEnsemble
 from pliant._trajectory.sources import Molecule
 from pliant._trajectory.trajectory import HasFrames, Trajectory
+from pliant.convert.cif_models import write_models
 from pliant.convert.moment import Moment
 from pliant.convert.zarr_store import write_zarr
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Puts a built site beside those of other versions, and lets readers choose among them.
 
-Usage: .venv/bin/python docs/tools/versions.py FOLDER [SITE]
+Usage: .venv/bin/python docs/tools/site_versions.py FOLDER [SITE]
 
 FOLDER, which a web server or a branch of pages serves, gets `1.0/` (major and minor version of this
 Pliant), `versions.json`, which the theme reads, and an `index.html` that leads to the newest. The
