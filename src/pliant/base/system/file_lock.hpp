@@ -23,4 +23,7 @@ bool is_being_written(int descriptor);
 /// Who holds it: "process 123", or "another recorder" where the system does not say.
 std::string lock_holder(int descriptor);
 
+/// Whether locks of others keep a program from reading, as on Windows, or are agreements only.
+bool locks_keep_from_reading();
+
 }  // namespace pliant

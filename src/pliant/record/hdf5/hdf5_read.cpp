@@ -7,6 +7,7 @@
 #include <cerrno>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/file_lock.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/record/hdf5/hdf5_probe.hpp"
 #include "pliant/record/hdf5/structure_check.hpp"
@@ -124,6 +125,11 @@ Hid open_hdf5(const std::filesystem::path& path) {
   const Hid access = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file properties");
   checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "choose how the file closes");
   const std::string name = path_text(path);
+  if (locks_keep_from_reading()) {  // HDF5 locks all of the file, also the byte of our writer
+    Hid unlocked = open_unlocked(name, access);
+    if (!unlocked) throw FileError(open_failure(hdf5_reason()));
+    return unlocked;
+  }
   Hid file(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
   if (!file && lacks_locks(hdf5_reason())) file = open_unlocked(name, access);
   if (!file) throw FileError(open_failure(hdf5_reason()));

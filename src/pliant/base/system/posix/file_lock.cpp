@@ -46,4 +46,6 @@ std::string lock_holder(int descriptor) {
   return is_known ? "process " + std::to_string(lock.l_pid) : "another recorder";
 }
 
+bool locks_keep_from_reading() { return false; }
+
 }  // namespace pliant

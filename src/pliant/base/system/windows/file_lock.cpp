@@ -41,4 +41,6 @@ bool is_being_written(int descriptor) {
 
 std::string lock_holder(int) { return "another recorder"; }
 
+bool locks_keep_from_reading() { return true; }
+
 }  // namespace pliant
