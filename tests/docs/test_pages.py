@@ -72,7 +72,8 @@ def check_script(block, folder):
 def test_code_prints_what_the_page_says(page, tmp_path, monkeypatch):
     transcripts.fill(tmp_path)
     blocks = [block for block in found(page, *transcripts.RUN) if block.runs]
-    if any("1ubi.pdb" in one.code for one in blocks) and not (tmp_path / "1ubi.pdb").exists():
+    asked = any(name in one.code for one in blocks for name in transcripts.UBIQUITIN)
+    if asked and not (tmp_path / "1ubi.pdb").exists():
         pytest.skip("ubiquitin is not there: ./dev demo fetches it")
     monkeypatch.chdir(tmp_path)
     names = {}
