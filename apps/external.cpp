@@ -9,6 +9,7 @@
 #include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/base/system/process.hpp"
+#include "pliant/base/system/program_folders.hpp"
 
 namespace pliant::app {
 namespace {

@@ -2,6 +2,7 @@
 #include "commands/committed_sample.hpp"
 
 #include "interrupt.hpp"
+#include "pliant/base/system/path_text.hpp"
 
 namespace pliant::app {
 namespace {

@@ -2,9 +2,8 @@
 """What Pliant promises, as lists in the repository: those of each release, and those of now.
 
 A list is a text file of lines in python/release/interface/VERSION. What a list of the last release
-has must be there still, or be served by what came in its place: within a major
-version nothing goes.
-In a new one may go what DEPRECATED names, if two minor versions or more said so.
+has must be there still, or be served by what came in its place: within a major version nothing
+goes. In a new one may go what DEPRECATED names, if an earlier minor version deprecated it.
 """
 
 from __future__ import annotations
@@ -86,13 +85,13 @@ def problems(project: Project, part: str, new: list[str]) -> list[str]:
         may_go = {
             one.line
             for one in deprecations(project)
-            if one.part == part and _was_said_twice(one.since, last)
+            if one.part == part and _was_said_earlier(one.since, last)
         }
     gone = broken(listed(project, last, part), new, part)
     return [f"{part}: {line}: was in {last}" for line in gone if line not in may_go]
 
 
-def _was_said_twice(since: str, last: str) -> bool:
+def _was_said_earlier(since: str, last: str) -> bool:
     """Whether the last version is a later minor version than the one that deprecated."""
     return numbers(since)[:2] < numbers(last)[:2]
 

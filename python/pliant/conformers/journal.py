@@ -18,7 +18,7 @@ from typing import IO, Any
 
 from pliant import _core
 from pliant._core import FileError, InputError
-from pliant.conformers.file_lock import take_lock
+from pliant._file_lock import take_lock
 from pliant.conformers.workers import Outcome
 from pliant.console import printable_name
 

@@ -7,12 +7,12 @@ import contextlib
 import errno
 import os
 import shutil
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TextIO
 
 from pliant._core import FileError
+from pliant._file_lock import take_lock
 from pliant.console import warn
 from pliant.ensemble.plan import PLAN, has_begun
 
@@ -54,21 +54,10 @@ def _lock_file(folder: Path) -> TextIO:
         raise FileError(f"{folder}: {error.strerror}: expected a folder for the ensemble") from None
 
 
-def _try_lock(file: TextIO) -> None:
-    if sys.platform == "win32":
-        import msvcrt
-
-        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-    else:
-        import fcntl
-
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-
-
 def _lock(folder: Path, file: TextIO) -> None:
     kind, options = mount_of(folder)
     try:
-        _try_lock(file)
+        take_lock(file)
     except OSError as error:
         if error.errno in (errno.EAGAIN, errno.EACCES):
             raise FileError(f"{folder}: another pliant ensemble is at work in it") from None

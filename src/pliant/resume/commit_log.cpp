@@ -5,18 +5,17 @@
 #include <array>
 #include <bit>
 #include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <ios>
+#include <cstddef>
 #include <mutex>
+#include <span>
 #include <string>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/base/version.hpp"
 #include "pliant/resume/commit_words.hpp"
@@ -31,19 +30,25 @@ constexpr std::uint64_t head_words = 2;
 
 [[noreturn]] void fail_at(const std::filesystem::path& path) {
   const int error = errno;
-  throw FileError(printable_name(path_text(path)) + ": " +
-                  (error == 0 ? "cannot be read or written" : std::strerror(error)));
+  throw FileError(printable_name(path_text(path)) + ": " + error_words(error));
+}
+
+Descriptor open_log(const std::filesystem::path& path, Opening opening) {
+  Descriptor file = open_file(path, opening);
+  if (!file) fail_at(path);
+  return file;
 }
 
 /// False at the end of the file, or where it is cut short.
-bool read_words(std::istream& file, std::span<std::uint64_t> words) {
-  const auto bytes = static_cast<std::streamsize>(words.size_bytes());
-  return file.read(reinterpret_cast<char*>(words.data()), bytes).gcount() == bytes;
-}
-
-void write_words(std::ostream& file, std::span<const std::uint64_t> words) {
-  file.write(reinterpret_cast<const char*>(words.data()),
-             static_cast<std::streamsize>(words.size_bytes()));
+bool read_words(const Descriptor& file, std::uint64_t at, std::span<std::uint64_t> words) {
+  std::span<std::byte> left = std::as_writable_bytes(words);
+  while (!left.empty()) {
+    const std::ptrdiff_t count = read_at(file.get(), at, left);
+    if (count <= 0) return false;
+    left = left.subspan(static_cast<std::size_t>(count));
+    at += static_cast<std::uint64_t>(count);
+  }
+  return true;
 }
 
 void add_bars_and_limits(const Framework& framework, CommitWords& words) {
@@ -92,42 +97,38 @@ std::uint64_t key_of_run(const Framework& framework, std::span<const Vec3> start
 
 CommitLog::CommitLog(std::filesystem::path path, std::uint64_t key, Log log)
     : path_(std::move(path)), log_(std::move(log)) {
-  std::error_code error;
-  std::filesystem::exists(path_, error) ? read(key) : begin(key);
+  is_there(path_) ? read(key) : begin(key);
 }
 
 void CommitLog::begin(std::uint64_t key) {
-  errno = 0;
-  std::ofstream file(path_, std::ios::binary);
-  write_words(file, std::array{log_magic, key});
-  if (!file.flush()) fail_at(path_);
-  end_ = head_words * bytes_of_word;
+  const Descriptor file = open_log(path_, Opening::to_make);
+  const std::array head{log_magic, key};
+  if (!resize_file(file.get(), 0) || !write_all_at(file.get(), 0, std::as_bytes(std::span(head))))
+    fail_at(path_);
+  end_ = sizeof(head);
 }
 
 void CommitLog::read(std::uint64_t key) {
-  errno = 0;
-  std::ifstream file(path_, std::ios::binary);
-  if (!file) fail_at(path_);
+  const Descriptor file = open_log(path_, Opening::to_change);
   std::array<std::uint64_t, head_words> head{};
-  if (!read_words(file, head)) return begin(key);  // killed as soon as it was made
+  if (!read_words(file, 0, head)) return begin(key);  // killed as soon as it was made
   if (head[0] != log_magic)
     throw InputError(printable_name(path_text(path_)) + ": is no log of commits");
   if (head[1] != key)
     throw InputError(printable_name(path_text(path_)) +
                      ": has the commits of another run: give another name, or remove it");
   end_ = sizeof(head);
-  const std::uint64_t size = std::filesystem::file_size(path_);
+  const std::uint64_t size = facts_of(file.get()).value_or(FileFacts{}).size;
   std::vector<std::uint64_t> words;
-  while (read_words(file, head)) {
+  while (read_words(file, end_, head)) {
     const std::uint64_t at = end_ + sizeof(head);
     if (head[0] > (size - at) / bytes_of_word) break;
     words.resize(head[0]);
-    if (!read_words(file, words) || digest_of(words) != head[1]) break;
+    if (!read_words(file, at, words) || digest_of(words) != head[1]) break;
     if (!take(words, {at, head[0]})) break;
     end_ = at + head[0] * bytes_of_word;
   }
-  file.close();
-  std::filesystem::resize_file(path_, end_);
+  if (!resize_file(file.get(), end_)) fail_at(path_);
 }
 
 /// False where the commit does not follow those before.
@@ -156,13 +157,12 @@ std::optional<Committed> CommitLog::committed(std::int64_t walker) const {
 void CommitLog::replay(std::int64_t walker, const std::function<void(const Frame&)>& show) const {
   const auto found = walkers_.find(walker);
   if (found == walkers_.end()) return;
-  errno = 0;
-  std::ifstream file(path_, std::ios::binary);
+  const Descriptor file = open_log(path_, Opening::to_read);
   std::vector<std::uint64_t> words;
   for (const Place& place : found->second.places) {
     words.resize(place.words);
-    if (!file.seekg(static_cast<std::streamoff>(place.at)) || !read_words(file, words))
-      fail_at(path_);
+    errno = EIO;  // if it has become shorter
+    if (!read_words(file, place.at, words)) fail_at(path_);
     CommitWordReader reader(words);
     for (int k = 0; k < 3; ++k) reader.integer();
     reader.state();
@@ -189,28 +189,24 @@ void CommitLog::commit(std::int64_t walker, const KeptFrames& frames, std::size_
 void CommitLog::append(std::span<const std::uint64_t> words) {
   const std::lock_guard hold(writing_);
   if (is_gone_) return;
-  std::error_code error;
-  if (!std::filesystem::exists(path_, error)) {
+  const Descriptor file = open_file(path_, Opening::to_change);
+  if (!file && errno == ENOENT) {
     is_gone_ = true;
     log_.warn(printable_name(path_text(path_)) +
               ": is gone, taken over by another process: the run goes on without commits");
     return;
   }
-  errno = 0;
-  std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
-  file.seekp(static_cast<std::streamoff>(end_));
-  write_words(file, std::array<std::uint64_t, head_words>{words.size(), digest_of(words)});
-  write_words(file, words);
-  file.close();
-  if (!file) fail_at(path_);
+  const std::array head{std::uint64_t{words.size()}, digest_of(words)};
+  if (!file || !write_all_at(file.get(), end_, std::as_bytes(std::span(head))) ||
+      !write_all_at(file.get(), end_ + sizeof(head), std::as_bytes(words)))
+    fail_at(path_);
   end_ += (head_words + words.size()) * bytes_of_word;
   ++commits_;
 }
 
 void CommitLog::remove() {
   const std::lock_guard hold(writing_);
-  std::error_code error;
-  if (!is_gone_) std::filesystem::remove(path_, error);
+  if (!is_gone_) remove_name(path_);
   is_gone_ = true;
 }
 

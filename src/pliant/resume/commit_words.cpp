@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/word_digest.hpp"
 
 namespace pliant {
 namespace {
@@ -109,12 +110,9 @@ Frame CommitWordReader::frame(std::vector<Vec3>& positions, std::vector<std::uin
 }
 
 std::uint64_t digest_of(std::span<const std::uint64_t> words) {
-  std::uint64_t digest = 0x9e3779b97f4a7c15;  // constants of SplitMix64 and MurmurHash3
-  for (const std::uint64_t word : words) {
-    digest = (digest ^ word) * 0xff51afd7ed558ccd;
-    digest ^= digest >> 32;
-  }
-  return digest;
+  WordDigest digest;
+  for (const std::uint64_t word : words) digest.add(word);
+  return digest.value();
 }
 
 }  // namespace pliant

@@ -53,7 +53,7 @@ class CommitWordReader {
   std::span<const std::uint64_t> words_;
 };
 
-/// A digest that shows whether words are those that were written.
+/// The digest of all of them (base/word_digest.hpp).
 std::uint64_t digest_of(std::span<const std::uint64_t> words);
 
 }  // namespace pliant

@@ -78,7 +78,7 @@ def test_a_file_system_without_locks_is_told_once(tmp_path, monkeypatch, capfd, 
     def refuse(file):
         raise OSError(number, os.strerror(number))
 
-    monkeypatch.setattr(folder_lock, "_try_lock", refuse)
+    monkeypatch.setattr(folder_lock, "take_lock", refuse)
     with alone_in(tmp_path / "many"):
         pass
     err = capfd.readouterr().err

@@ -33,9 +33,6 @@ bool is_program(const std::filesystem::path& path);
 /// Returns the name of a program's file: with .exe on Windows.
 std::string program_file(const std::string& name);
 
-/// Returns the folders in which a shell looks for programs (PATH).
-std::vector<std::filesystem::path> program_folders();
-
 using ProgramWords = std::vector<std::string>;
 
 /// Goes on as another program, with these words after its name. Returns only if it cannot be

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "pliant/base/word_digest.hpp"
 #include "pliant/record/h5md/h5md_static.hpp"
 #include "pliant/record/hdf5/hdf5_write.hpp"
 
@@ -17,14 +18,11 @@ std::size_t checkpoint::columns_of(const Framework& framework) {
 }
 
 std::array<double, 2> checkpoint::digest_of(std::span<const double> row) {
-  std::uint64_t digest = 0x9e3779b97f4a7c15;  // constants of SplitMix64 and MurmurHash3
-  const auto mix = [&](double value) {
-    digest = (digest ^ std::bit_cast<std::uint64_t>(value)) * 0xff51afd7ed558ccd;
-    digest ^= digest >> 32;
-  };
-  for (const double value : row.first(checkpoint::digest_column)) mix(value);
-  for (const double value : row.subspan(checkpoint::head_columns)) mix(value);
-  return {double(digest >> 32), double(digest & 0xffffffff)};
+  WordDigest digest;
+  const auto add = [&](double value) { digest.add(std::bit_cast<std::uint64_t>(value)); };
+  for (const double value : row.first(checkpoint::digest_column)) add(value);
+  for (const double value : row.subspan(checkpoint::head_columns)) add(value);
+  return {double(digest.value() >> 32), double(digest.value() & 0xffffffff)};
 }
 
 namespace {

@@ -55,6 +55,8 @@ std::string open_failure(const std::string& reason) {
   return "cannot be opened: " + reason;
 }
 
+/// HDF5 refuses to read where a file system has no locks, as some network ones. Files of ours need
+/// none, also while they are written (committed_file.hpp).
 bool lacks_locks(const std::string& reason) {
   const auto says = [&](int error) {
     return reason.find("unable to lock file, errno = " + std::to_string(error) + ",") !=
@@ -63,10 +65,7 @@ bool lacks_locks(const std::string& reason) {
   return says(ENOLCK) || says(ENOSYS) || says(EOPNOTSUPP);
 }
 
-/// HDF5 refuses to read where a file system has no locks, as some network ones. Files of ours need
-/// none, also while they are written (committed_file.hpp).
-Hid open_unlocked(const std::string& name, std::int64_t access) {
-  checked(H5Pset_file_locking(access, false, true), "choose to read without a lock");
+Hid open_read_only(const std::string& name, std::int64_t access) {
   return {H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
 }
 
@@ -125,13 +124,13 @@ Hid open_hdf5(const std::filesystem::path& path) {
   const Hid access = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file properties");
   checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "choose how the file closes");
   const std::string name = path_text(path);
-  if (locks_keep_from_reading()) {  // HDF5 locks all of the file, also the byte of our writer
-    Hid unlocked = open_unlocked(name, access);
-    if (!unlocked) throw FileError(open_failure(hdf5_reason()));
-    return unlocked;
+  Hid file;
+  // Where they keep from reading: HDF5 locks all of the file, also the byte of our writer.
+  if (!locks_keep_from_reading()) file = open_read_only(name, access);
+  if (!file && (locks_keep_from_reading() || lacks_locks(hdf5_reason()))) {
+    checked(H5Pset_file_locking(access, false, true), "choose to read without a lock");
+    file = open_read_only(name, access);
   }
-  Hid file(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
-  if (!file && lacks_locks(hdf5_reason())) file = open_unlocked(name, access);
   if (!file) throw FileError(open_failure(hdf5_reason()));
   return file;
 }

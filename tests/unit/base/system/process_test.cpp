@@ -11,6 +11,7 @@
 
 #include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/file_lock.hpp"
+#include "pliant/base/system/program_folders.hpp"
 #include "pliant/base/system/signals.hpp"
 #include "pliant/base/system/sockets.hpp"
 #include "support/temp_directory.hpp"
@@ -40,7 +41,7 @@ TEST(Process, SaysHowACopyEnds) {
 
 TEST(Process, EndsACopyThatTakesTooLong) {
   const auto spin = [] {
-    for (volatile unsigned k = 0;; k = k + 1) {
+    for (const volatile bool go_on = true; go_on;) {
     }
   };
   const std::optional<int> signal = crash_in_copy(spin, 1);

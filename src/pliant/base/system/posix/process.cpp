@@ -20,7 +20,6 @@
 #include <system_error>
 
 #include "pliant/base/system/descriptor.hpp"
-#include "pliant/base/system/path_text.hpp"
 
 namespace pliant {
 namespace {
@@ -96,18 +95,6 @@ bool is_program(const fs::path& path) {
 }
 
 std::string program_file(const std::string& name) { return name; }
-
-std::vector<fs::path> program_folders() {
-  std::vector<fs::path> folders;
-  const std::string path = environment("PATH");
-  std::string_view rest = path;
-  while (!rest.empty()) {
-    const std::size_t colon = rest.find(':');
-    if (colon != 0) folders.emplace_back(rest.substr(0, colon));
-    rest = colon == std::string_view::npos ? "" : rest.substr(colon + 1);
-  }
-  return folders;
-}
 
 void become_program(const fs::path& program, const ProgramWords& words) {
   std::vector<char*> raw{const_cast<char*>(program.c_str())};

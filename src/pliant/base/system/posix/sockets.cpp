@@ -2,25 +2,23 @@
 #include "pliant/base/system/sockets.hpp"
 
 #include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
-#include <sys/socket.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 #include "pliant/base/error.hpp"
-#include "pliant/base/printable.hpp"
+#include "pliant/base/system/socket_addresses_internal.hpp"
 
 namespace pliant {
 namespace {
+
+using namespace socket_addresses;
 
 #if defined(TCP_KEEPIDLE)
 constexpr int seconds_until_asked = TCP_KEEPIDLE;
@@ -31,51 +29,6 @@ constexpr int seconds_until_asked = TCP_KEEPALIVE;  // macOS
 /// Bytes that the system may keep for a client before they are on their way. As many as it likes,
 /// and who reads slowly would get frames that are megabytes old.
 constexpr int most_unsent = 16384;
-
-using Addresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
-
-[[noreturn]] void fail_to_listen(const std::string& host, int port, const char* reason) {
-  throw FileError(printable_name(host) + ":" + std::to_string(port) + ": cannot listen: " + reason);
-}
-
-Addresses addresses_of(const std::string& host, int port) {
-  addrinfo hints{};
-  hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-  addrinfo* found = nullptr;
-  const int code = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
-  if (code != 0) fail_to_listen(host, port, ::gai_strerror(code));
-  return {found, freeaddrinfo};
-}
-
-bool is_loopback(const sockaddr* address) {
-  if (address->sa_family == AF_INET) {
-    sockaddr_in four{};
-    std::memcpy(&four, address, sizeof four);
-    return ntohl(four.sin_addr.s_addr) >> 24 == 127;
-  }
-  sockaddr_in6 six{};
-  if (address->sa_family == AF_INET6) std::memcpy(&six, address, sizeof six);
-  return IN6_IS_ADDR_LOOPBACK(&six.sin6_addr);
-}
-
-int port_of(int socket) {
-  sockaddr_storage address{};
-  socklen_t size = sizeof address;
-  ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
-  sockaddr_in four{};  // the port of IPv6 lies at the same place
-  std::memcpy(&four, &address, sizeof four);
-  return ntohs(four.sin_port);
-}
-
-std::string name_of(const sockaddr_storage& address, socklen_t size) {
-  std::array<char, NI_MAXHOST> host{};
-  std::array<char, NI_MAXSERV> port{};
-  const auto* any = reinterpret_cast<const sockaddr*>(&address);
-  const int code = ::getnameinfo(any, size, host.data(), host.size(), port.data(), port.size(),
-                                 NI_NUMERICHOST | NI_NUMERICSERV);
-  return code == 0 ? std::string(host.data()) + ":" + port.data() : "unknown";
-}
 
 void set(int socket, int level, int option, int value) {
   ::setsockopt(socket, level, option, &value, sizeof value);
@@ -119,7 +72,7 @@ Socket::~Socket() {
 }
 
 Listener listen_on(const std::string& host, int port) {
-  const Addresses address = addresses_of(host, port);
+  const Addresses address = addresses_of(host, port, ::gai_strerror);
   const Socket::Handle handle = ::socket(address->ai_family, SOCK_STREAM, 0);
   Socket socket(handle);
   if (!socket) fail_to_listen(host, port, std::strerror(errno));
@@ -128,7 +81,7 @@ Listener listen_on(const std::string& host, int port) {
   set(number, SOL_SOCKET, SO_REUSEADDR, 1);
   if (::bind(number, address->ai_addr, address->ai_addrlen) != 0 || ::listen(number, 16) != 0)
     fail_to_listen(host, port, std::strerror(errno));
-  const int found = port_of(number);
+  const int found = ntohs(own_address(number).sin_port);
   return {std::move(socket), found, is_loopback(address->ai_addr)};
 }
 

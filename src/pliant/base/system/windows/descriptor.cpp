@@ -15,13 +15,12 @@
 #include <vector>
 
 #include "pliant/base/system/windows/windows_errors_internal.hpp"
+#include "pliant/base/system/windows/windows_handles_internal.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr DWORD all_may = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
-
-HANDLE handle_of(int descriptor) { return reinterpret_cast<HANDLE>(::_get_osfhandle(descriptor)); }
 
 bool is_to_read(Opening opening) {
   return opening == Opening::to_read || opening == Opening::to_look;

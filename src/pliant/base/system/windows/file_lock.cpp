@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/system/file_lock.hpp"
 
-#include <io.h>
 #include <windows.h>
+
+#include "pliant/base/system/windows/windows_handles_internal.hpp"
 
 namespace pliant {
 namespace {
@@ -23,16 +24,12 @@ Locking lock(HANDLE handle) {
   return is_held ? Locking::held_by_another : Locking::has_no_locks;
 }
 
-HANDLE handle_of_lock(int descriptor) {
-  return reinterpret_cast<HANDLE>(::_get_osfhandle(descriptor));
-}
-
 }  // namespace
 
-Locking lock_for_writing(int descriptor) { return lock(handle_of_lock(descriptor)); }
+Locking lock_for_writing(int descriptor) { return lock(handle_of(descriptor)); }
 
 bool is_being_written(int descriptor) {
-  const HANDLE handle = handle_of_lock(descriptor);
+  const HANDLE handle = handle_of(descriptor);
   const Locking locking = lock(handle);
   OVERLAPPED place = writer_byte();
   if (locking == Locking::locked) ::UnlockFileEx(handle, 0, 1, 0, &place);

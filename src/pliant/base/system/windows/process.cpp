@@ -110,18 +110,6 @@ bool is_program(const fs::path& path) {
 
 std::string program_file(const std::string& name) { return name + ".exe"; }
 
-std::vector<fs::path> program_folders() {
-  std::vector<fs::path> folders;
-  const std::string path = environment("PATH");
-  std::string_view rest = path;
-  while (!rest.empty()) {
-    const std::size_t end = rest.find(';');
-    if (end != 0) folders.push_back(path_of(rest.substr(0, end)));
-    rest = end == std::string_view::npos ? "" : rest.substr(end + 1);
-  }
-  return folders;
-}
-
 void become_program(const fs::path& program, const ProgramWords& words) {
   const Handle process(start(program, words, ::GetStdHandle(STD_INPUT_HANDLE)));
   // Ctrl-C goes to both; the other program says how it ends.

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/system/sockets.hpp"
 
-#include <winsock2.h>
-// After winsock2.h.
-#include <ws2tcpip.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "pliant/base/error.hpp"
-#include "pliant/base/printable.hpp"
+#include "pliant/base/system/socket_addresses_internal.hpp"
 
 namespace pliant {
 namespace {
+
+using namespace socket_addresses;
 
 /// Must be called before any other function of sockets; done once, and undone by the system.
 void start_sockets() {
@@ -37,53 +34,6 @@ std::string reason_of(int error) {
          (reason.back() == '\n' || reason.back() == '\r' || reason.back() == '.'))
     reason.pop_back();
   return reason.empty() ? "error " + std::to_string(error) : reason;
-}
-
-[[noreturn]] void fail_to_listen(const std::string& host, int port, int error) {
-  throw FileError(printable_name(host) + ":" + std::to_string(port) +
-                  ": cannot listen: " + reason_of(error));
-}
-
-using Addresses = std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)>;
-
-Addresses addresses_of(const std::string& host, int port) {
-  addrinfo hints{};
-  hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-  addrinfo* found = nullptr;
-  const int code = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
-  if (code != 0) fail_to_listen(host, port, code);
-  return {found, ::freeaddrinfo};
-}
-
-bool is_loopback(const sockaddr* address) {
-  if (address->sa_family == AF_INET) {
-    sockaddr_in four{};
-    std::memcpy(&four, address, sizeof four);
-    return ntohl(four.sin_addr.s_addr) >> 24 == 127;
-  }
-  sockaddr_in6 six{};
-  if (address->sa_family == AF_INET6) std::memcpy(&six, address, sizeof six);
-  return IN6_IS_ADDR_LOOPBACK(&six.sin6_addr);
-}
-
-sockaddr_in address_of(SOCKET socket) {
-  sockaddr_storage address{};
-  int size = sizeof address;
-  ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
-  sockaddr_in four{};  // the port of IPv6 lies at the same place
-  std::memcpy(&four, &address, sizeof four);
-  return four;
-}
-
-std::string name_of(const sockaddr_storage& address, int size) {
-  std::array<char, NI_MAXHOST> host{};
-  std::array<char, NI_MAXSERV> port{};
-  const auto* any = reinterpret_cast<const sockaddr*>(&address);
-  const int code =
-      ::getnameinfo(any, size, host.data(), static_cast<DWORD>(host.size()), port.data(),
-                    static_cast<DWORD>(port.size()), NI_NUMERICHOST | NI_NUMERICSERV);
-  return code == 0 ? std::string(host.data()) + ":" + port.data() : "unknown";
 }
 
 SOCKET number_of(const Socket& socket) { return static_cast<SOCKET>(socket.get()); }
@@ -115,12 +65,12 @@ bool passes(int error) { return error == WSAEWOULDBLOCK || error == WSAEINTR; }
 
 Socket listening_socket(const addrinfo& address, const std::string& host, int port) {
   Socket socket = owned(::socket(address.ai_family, SOCK_STREAM, 0));
-  if (!socket) fail_to_listen(host, port, ::WSAGetLastError());
+  if (!socket) fail_to_listen(host, port, reason_of(::WSAGetLastError()));
   // What SO_REUSEADDR means elsewhere is the rule here, where that option lets others steal a port.
   set(socket, SOL_SOCKET, SO_EXCLUSIVEADDRUSE, 1);
   const auto size = static_cast<int>(address.ai_addrlen);
   if (::bind(number_of(socket), address.ai_addr, size) != 0 || ::listen(number_of(socket), 16) != 0)
-    fail_to_listen(host, port, ::WSAGetLastError());
+    fail_to_listen(host, port, reason_of(::WSAGetLastError()));
   return socket;
 }
 
@@ -137,10 +87,10 @@ Socket::~Socket() {
 
 Listener listen_on(const std::string& host, int port) {
   start_sockets();
-  const Addresses address = addresses_of(host, port);
+  const Addresses address = addresses_of(host, port, reason_of);
   Socket socket = listening_socket(*address, host, port);
   never_block(socket);
-  const int found = ntohs(address_of(number_of(socket)).sin_port);
+  const int found = ntohs(own_address(number_of(socket)).sin_port);
   return {std::move(socket), found, is_loopback(address->ai_addr)};
 }
 
@@ -199,14 +149,14 @@ Wake::Wake() {
   start_sockets();
   const Listener listener = listen_on("127.0.0.1", 0);
   sender_ = owned(::socket(AF_INET, SOCK_STREAM, 0));
-  const sockaddr_in address = address_of(number_of(listener.socket));
+  const sockaddr_in address = own_address(number_of(listener.socket));
   const auto* any = reinterpret_cast<const sockaddr*>(&address);
   if (!sender_ || ::connect(number_of(sender_), any, sizeof address) != 0)
     throw FileError("no pair of sockets: " + reason_of(::WSAGetLastError()));
   // Whoever else may have connected meanwhile is not ours.
   const std::string own = [&] {
     sockaddr_storage storage{};
-    const sockaddr_in four = address_of(number_of(sender_));
+    const sockaddr_in four = own_address(number_of(sender_));
     std::memcpy(&storage, &four, sizeof four);
     return name_of(storage, sizeof four);
   }();
