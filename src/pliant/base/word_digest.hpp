@@ -6,7 +6,7 @@
 
 namespace pliant {
 
-/// Of 64-bit words, one after another; it depends on their order. Finds what is cut or flipped, and
+/// Digests 64-bit words, one after another. It finds what is cut, flipped or in another order, and
 /// does not protect against deliberate collisions.
 class WordDigest {
  public:

@@ -18,7 +18,12 @@
 namespace pliant {
 namespace {
 
-using namespace socket_addresses;
+using socket_addresses::Addresses;
+using socket_addresses::addresses_of;
+using socket_addresses::fail_to_listen;
+using socket_addresses::is_loopback;
+using socket_addresses::name_of;
+using socket_addresses::own_address;
 
 #if defined(TCP_KEEPIDLE)
 constexpr int seconds_until_asked = TCP_KEEPIDLE;

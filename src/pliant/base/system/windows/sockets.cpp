@@ -13,7 +13,12 @@
 namespace pliant {
 namespace {
 
-using namespace socket_addresses;
+using socket_addresses::Addresses;
+using socket_addresses::addresses_of;
+using socket_addresses::fail_to_listen;
+using socket_addresses::is_loopback;
+using socket_addresses::name_of;
+using socket_addresses::own_address;
 
 /// Must be called before any other function of sockets; done once, and undone by the system.
 void start_sockets() {
