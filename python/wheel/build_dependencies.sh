@@ -17,24 +17,15 @@ readonly jobs=${PLIANT_JOBS:-$(nproc)}
 . src/cmake/zig.sh
 # shellcheck source=python/wheel/targets.sh
 . python/wheel/targets.sh
-
-# apt reads one list of its own, knows of nothing that is installed, and checks what it fetches
-# against Debian's keys.
-apt_source() {
-  apt-get -o Dir::Etc::SourceList="$common/sources.list" -o Dir::Etc::SourceParts=/dev/null \
-    -o Dir::State::Lists="$common/lists" -o Dir::State::status="$common/status" \
-    -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= -o APT::Sandbox::User=root "$@"
-}
+# shellcheck source=python/wheel/debian.sh
+. python/wheel/debian.sh
 
 # The upstream archives alone: what Debian changes is for Debian.
 fetch_sources() {
-  mkdir -p "$common/lists/partial" "$common/src"
-  printf 'deb-src [signed-by=%s] http://deb.debian.org/debian %s main\n' \
-    /usr/share/keyrings/debian-archive-keyring.gpg "$suite" >"$common/sources.list"
-  : >"$common/status"
-  apt_source update
-  (cd "$common/src" &&
-    apt_source source --download-only --tar-only --only-source zlib bzip2 xz-utils hdf5)
+  begin_apt "$common/apt" deb-src "$suite"
+  mkdir -p "$common/src"
+  (cd "$common/src" && own_apt "$common/apt" \
+    source --download-only --tar-only --only-source zlib bzip2 xz-utils hdf5)
 }
 
 # unpack NAME: the archive of the Debian source NAME into src/NAME.

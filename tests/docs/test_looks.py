@@ -87,7 +87,7 @@ def search(browser, words):
     ("words", "page"),
     [
         ("SampledEnsemble", "api/ensembles.html"),
-        ("resolver.hpp", "api/cpp/resolve.html"),
+        ("resolve_options.hpp", "api/cpp/resolve.html"),
         ("hinge", "protein.html"),
     ],
 )

@@ -60,13 +60,16 @@ constexpr std::array<Element, element_count + 1> elements{{
 
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
 
+constexpr std::size_t slots = std::size_t(26) * 27;
+
 /// Index of an upper-case symbol of one or two letters in a 27 x 26 table.
 constexpr std::size_t slot(char first, char second) {
-  return static_cast<std::size_t>((first - 'A') * 27 + (second == 0 ? 0 : second - 'A' + 1));
+  const auto place = [](char letter) { return static_cast<std::size_t>(letter - 'A'); };
+  return place(first) * 27 + (second == 0 ? 0 : place(second) + 1);
 }
 
-constexpr std::array<std::uint8_t, 26 * 27> make_numbers() {
-  std::array<std::uint8_t, 26 * 27> numbers{};
+constexpr std::array<std::uint8_t, slots> make_numbers() {
+  std::array<std::uint8_t, slots> numbers{};
   for (std::uint8_t z = 1; z <= element_count; ++z) {
     const std::string_view symbol = elements[z].symbol;
     numbers[slot(symbol[0], symbol.size() > 1 ? upper(symbol[1]) : char(0))] = z;

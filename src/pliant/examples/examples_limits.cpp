@@ -61,8 +61,9 @@ ExampleRow spheres() {
                  "closed form",
                  {},
                  {.components = 27, .whole = false, .rank = 0, .rigid_motions = 6}};
-  for (int k = 0; k < 27; ++k)
-    row.sketch.positions.push_back({double(k % 3), double(k / 3 % 3), double(k / 9)});
+  for (int z = 0; z < 3; ++z)
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x) row.sketch.positions.push_back({double(x), double(y), double(z)});
   auto sterics = std::make_shared<Sterics>();
   sterics->kind_count = 1;
   sterics->kinds.assign(27, 0);

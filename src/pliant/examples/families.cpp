@@ -40,8 +40,10 @@ Framework framework_of(const Sketch& sketch) {
 
 Sketch chain(std::size_t joints) {
   Sketch sketch;
-  for (std::size_t i = 0; i < joints; ++i)
-    sketch.positions.push_back({double((i + 1) / 2), double(i / 2), 0.0});
+  for (std::size_t i = 0; i < joints; ++i) {
+    const std::size_t right = (i + 1) / 2, up = i / 2;
+    sketch.positions.push_back({double(right), double(up), 0.0});
+  }
   join_in_a_row(sketch);
   return sketch;
 }

@@ -31,7 +31,7 @@ std::string JointNames::word_for(Joint joint, std::string_view file) const {
     const std::string& name = framework_.atoms()->names[joint];
     if (!repeats_.contains(name) && is_word(name)) return name;
   }
-  const std::string index = std::to_string(joint);
+  std::string index = std::to_string(joint);
   if (joints_.contains(index))
     throw InputError(std::string(file) + ": " + framework_.label(joint) +
                      " has no name of its own, and its index " + index +

@@ -108,7 +108,8 @@ Sterics molecular_sterics(const Structure& structure, bool clashes_count) {
   sterics.kind_count = count;
   for (const auto& row : table) sterics.least.insert(sterics.least.end(), row, row + count);
   for (std::size_t kind = 0; clashes_count && kind < count; ++kind)
-    sterics.least[HC * count + kind] = sterics.least[kind * count + HC] = careful[kind];
+    sterics.least[std::size_t(HC) * count + kind] = sterics.least[kind * count + HC] =
+        careful[kind];
   for (std::uint32_t atom = 0; atom < structure.size(); ++atom)
     sterics.kinds.push_back(kinds.of(atom));
   for (const Bond& bond : structure.bonds) sterics.bonds.emplace_back(bond.a, bond.b);

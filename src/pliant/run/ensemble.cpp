@@ -123,6 +123,7 @@ class Ensemble {
     for (std::uint64_t k = begin; k < end; ++k) watch(options_.shard.first + k, group);
     if (group.empty()) return false;
     std::vector<WalkerRun> runs;
+    runs.reserve(group.size());
     for (Watched& walker : group) runs.push_back(walker.run());
     const auto summaries = run_walkers(framework_, runs, options_.run);
     const std::lock_guard one_after_another(watchers_);
@@ -138,7 +139,7 @@ class Ensemble {
     const std::lock_guard one_after_another(watchers_);
     try {
       Watchers watchers = watchers_of_ ? watchers_of_(walker) : Watchers();
-      State state = watchers.reached ? std::move(watchers.reached->state) : start_;
+      State state = watchers.reached ? State(std::move(watchers.reached->state)) : start_;
       group.push_back({walker, std::move(watchers), std::move(state), failure_});
     } catch (...) {
       failure_.keep();

@@ -19,7 +19,7 @@ constexpr double furthest_shaken = 1.0;  // Angstrom
 constexpr std::uint64_t tries = 4;       // to shake rings and keep handedness
 constexpr double least_volume = 0.3;  // Angstrom^3, of three bonds: flatter ones have no handedness
 
-MolecularModel molecule_model(Structure structure, const Log& log) {
+MolecularModel molecule_model(const Structure& structure, const Log& log) {
   ModelOptions options;
   options.kind = ModelKind::molecule;
   options.log = log;

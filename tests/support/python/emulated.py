@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Commands of build/portable as `./dev wheel --all` compiles them, by emulators where needed."""
 
+import os
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -13,6 +14,7 @@ ROOT = Path(__file__).parents[3]
 sys.path.insert(0, str(ROOT / "python/wheel"))
 from targets import targets  # noqa: E402
 
+PORTABLE = ROOT / "build/portable"
 #: Debian's C library for aarch64, of libc6-arm64-cross.
 AARCH64_LIBRARIES = "/usr/aarch64-linux-gnu"
 RUNNERS = {"python": [], "qemu": ["qemu-aarch64-static", "-L", AARCH64_LIBRARIES], "wine": ["wine"]}
@@ -49,9 +51,25 @@ class Command:
 
 def program(target):
     """Its path; None where it is not built."""
-    folder = ROOT / "build/portable" / target / "cmake/apps"
+    folder = PORTABLE / target / "cmake/apps"
     found = [folder / name for name in ("pliant", "pliant.exe")]
     return next((path for path in found if path.is_file()), None)
+
+
+def python_of(target):
+    """Python of a target with the wheel installed, as emulated_python.sh leaves it; None where it
+    is not there. That of this machine for its own target."""
+    folder = PORTABLE / target
+    there = folder / "debian"
+    if target == f"linux-{os.uname().machine}":
+        words = [sys.executable]
+    elif found := sorted(there.glob("usr/bin/python3.*[0-9]")):
+        words = [RUNNERS["qemu"][0], "-L", str(there), str(found[0])]
+    else:
+        return None
+    if not (folder / "packages/pliant").is_dir():
+        return None
+    return Command(words, {**os.environ, "PYTHONPATH": str(folder / "packages")})
 
 
 def stored(path):

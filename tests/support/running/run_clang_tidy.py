@@ -30,9 +30,9 @@ def sources(build: Path, parts: list[str]) -> list[str]:
     return [file for file in found if not parts or any(part in file for part in parts)]
 
 
-def findings(program: str, build: Path, source: str) -> list[str]:
+def findings(program: Path, build: Path, source: str) -> list[str]:
     """What is said of one file: paragraphs that each begin with a place."""
-    command = [program, "--quiet", "-p", str(build), source]
+    command = [str(program), "--quiet", "-p", str(build), source]
     said = subprocess.run(command, capture_output=True, text=True, check=False).stdout
     found: list[str] = []
     for line in said.splitlines():
@@ -49,7 +49,7 @@ def main() -> int:
     parser.add_argument("build", type=Path)
     parser.add_argument("parts", nargs="*", metavar="PART")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--program", default="clang-tidy")
+    parser.add_argument("--program", default=Path(sys.executable).with_name("clang-tidy"))
     options = parser.parse_args()
     files = sources(options.build, options.parts)
     known: dict[str, None] = {}

@@ -46,6 +46,7 @@ double sin_series(double r) {
 
 /// For t from 0 to 1: arctan t = arctan c + arctan((t - c) / (1 + t c)), c the nearest eighth.
 double arctan(double t) {
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): t is not negative
   const int eighth = static_cast<int>(8.0 * t + 0.5);
   const double c = 0.125 * eighth;
   const double r = (t - c) / (1.0 + t * c), square = r * r;

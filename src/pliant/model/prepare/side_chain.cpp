@@ -126,7 +126,7 @@ Vec3 SideChain::place(const SideChainAtom& row, const SideChainTurns& turn) cons
   if (const SideChainAtom* sibling = sibling_there(row))
     return Spin(places_[number(sibling->name)], neighbour, parent)
         .at(row.length, angle, -sibling->turn);
-  const int turned = row.chi > 0 ? turn[row.chi - 1U] : row.turn;
+  const int turned = row.chi > 0 ? turn[row.chi - 1U] : int{row.turn};
   const Vec3 placed =
       Spin(places_[number(row.reference)], neighbour, parent).at(row.length, angle, turned);
   if (!is_proline() || row.name != "CD") return placed;

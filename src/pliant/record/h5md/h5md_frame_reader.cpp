@@ -41,7 +41,7 @@ std::string list_of(const std::vector<std::string>& names) {
 }
 
 std::string choose_group(std::int64_t file, const std::string& asked) {
-  const std::string wanted = asked.empty() ? "trajectory" : asked;
+  std::string wanted = asked.empty() ? "trajectory" : asked;
   if (has_object(file, "/particles") && has_object(file, "/particles/" + wanted)) return wanted;
   const std::vector<std::string> names = names_in(file, "/particles");
   if (!asked.empty())

@@ -165,7 +165,7 @@ bool TorsionMoves::is_in_one_body(std::span<const Joint> atoms) const {
 /// Limits of other pairs are for resolving to keep.
 bool TorsionMoves::holds_limits(std::span<const Bar> pairs, std::span<const Vec3> x) const {
   for (const Limit& limit : framework_.limits()) {
-    const auto [a, b] = std::minmax(limit.a, limit.b);
+    const Joint a = std::min(limit.a, limit.b), b = std::max(limit.a, limit.b);
     const double now = distance(x[a], x[b]);
     if (now >= limit.least && now <= limit.most) continue;
     if (std::any_of(pairs.begin(), pairs.end(), [&](Bar p) { return p.a == a && p.b == b; }))

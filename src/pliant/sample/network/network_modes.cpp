@@ -98,7 +98,7 @@ NetworkModes principal(const std::vector<std::vector<double>>& rows, double cuts
 NetworkModes averaged_over_domains(const NetworkNodes& nodes, const Springs& springs,
                                    std::size_t count) {
   const std::size_t n = nodes.positions.size();
-  const NetworkModes whole =
+  NetworkModes whole =
       modes_of(nodes, joined(springs, std::vector<std::uint32_t>(n, 0)), true, count);
   if (whole.variances.empty()) return whole;
   std::vector<std::vector<double>> rows;

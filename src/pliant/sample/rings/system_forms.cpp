@@ -74,7 +74,7 @@ class SystemForms {
 
  private:
   static bool is_among(Bar bar, const std::vector<Bar>& pairs) {
-    const auto [a, b] = std::minmax(bar.a, bar.b);
+    const Joint a = std::min(bar.a, bar.b), b = std::max(bar.a, bar.b);
     return std::any_of(pairs.begin(), pairs.end(),
                        [&](Bar pair) { return pair.a == a && pair.b == b; });
   }

@@ -73,7 +73,7 @@ std::uint8_t element_in_standard_residue(std::string_view name, std::string_view
 
 /// "Cl-" -> "CL", "SOD" -> "NA".
 std::string ion_symbol(std::string_view name) {
-  const std::string letters = upper_case(without_charge(name));
+  std::string letters = upper_case(without_charge(name));
   for (const NamedIon& ion : named_ions)
     if (ion.name == letters) return std::string(ion.symbol);
   return letters;
