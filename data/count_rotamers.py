@@ -61,7 +61,8 @@ def residues() -> Iterator[gemmi.Residue]:
         if path.suffix == ".bz2":
             import bz2
 
-            structure = gemmi.read_pdb_string(bz2.open(path, "rt").read())
+            with bz2.open(path, "rt") as opened:
+                structure = gemmi.read_pdb_string(opened.read())
         elif path.suffix == ".pdbx":
             structure = gemmi.read_structure(str(path), format=gemmi.CoorFormat.Mmcif)
         else:

@@ -292,8 +292,8 @@ MECHANISMS = [
      "platform has 6 degrees of freedom", "coned hexagons, 36 = 3 * 14 - 6 bars"),
     ("double_banana", double_banana, 1, "rigid by the count of its bars; turns about its tips",
      "PyRigi, DoubleBanana"),
-    ("bricard_octahedron", bricard_octahedron, 1, "rigid by the count of its bars; moves because it "
-     "is symmetric", "Bricard 1897; PyRigi, Octahedron('Bricard_line')"),
+    ("bricard_octahedron", bricard_octahedron, 1, "rigid by the count of its bars; moves because "
+     "it is symmetric", "Bricard 1897; PyRigi, Octahedron('Bricard_line')"),
     ("kaleidocycle", kaleidocycle, 1, "an over-constrained ring of six hinges (6R) that turns "
      "inside out without end", "Schattschneider, Walker 1977; Bricard 1927"),
 ]  # fmt: skip  # a table: a row a line

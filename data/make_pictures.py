@@ -17,8 +17,8 @@ import numpy as np
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
-from MDAnalysisTests import datafiles
 from matplotlib.collections import LineCollection
+from MDAnalysisTests import datafiles
 from method_picture import make_method_picture
 from structure_picture import make_structure_picture
 from thesis_picture import make_thesis_picture

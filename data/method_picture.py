@@ -5,12 +5,13 @@ from collections import deque
 from pathlib import Path
 
 import numpy as np
-import pliant
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Polygon
 from pliant.analyse.figures import style
 from rdkit import Chem
 from rdkit.Chem import AllChem
+
+import pliant
 
 MOLECULES = Path(__file__).parent / "molecules"
 ROOT = 0  # of aspirin: its methyl carbon

@@ -31,11 +31,11 @@ def test_cpp_is_formatted():
 
 
 def test_python_is_formatted():
-    passes(tool("ruff"), "format", "--diff", "--quiet", "python", "tests", "docs")
+    passes(tool("ruff"), "format", "--diff", "--quiet", "python", "tests", "docs", "data")
 
 
 def test_python_passes_ruff():
-    passes(tool("ruff"), "check", "--quiet", "python", "tests", "docs")
+    passes(tool("ruff"), "check", "--quiet", "python", "tests", "docs", "data")
 
 
 def test_scripts_pass_shellcheck():
