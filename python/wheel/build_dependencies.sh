@@ -122,6 +122,10 @@ system_headers "$common/headers"
 pugixml_source "$common/pugixml"
 need_sources
 (($#)) || set -- "$(this_target)"
+# All at once: CMake asks the compiler one thing after the other.
+running=()
 for target in "$@"; do
-  (build_target "$target")
+  (build_target "$target") &
+  running+=($!)
 done
+for one in "${running[@]}"; do wait "$one"; done
