@@ -4,7 +4,7 @@ import shutil
 import subprocess
 
 import pytest
-from emulated import RUNNERS, Command, program, targets
+from emulated import RUNNERS, Command, own_command, program, targets
 
 
 @pytest.fixture(scope="session")
@@ -20,13 +20,13 @@ def system(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def command(system):
-    """The command of a target by its name; skips where it is not built or nothing here runs it."""
+    """The command of another target; skips where it is not built or nothing here runs it."""
 
     def of(target):
         path, runner = program(target), RUNNERS[targets()[target].tried]
         if path is None:
             pytest.skip(f"build/portable has no command of {target}: ./dev wheel --all builds it")
-        if runner and not shutil.which(runner[0]):
+        if not shutil.which(runner[0]):
             pytest.skip(f"{runner[0]} is not installed")
         return Command([*runner, str(path)], system)
 
@@ -34,6 +34,8 @@ def command(system):
 
 
 @pytest.fixture(scope="session")
-def native(command):
-    """That of this machine, by the same compiler."""
-    return command(f"linux-{os.uname().machine}")
+def native():
+    """That of this machine, from its wheel."""
+    return own_command() or pytest.skip(
+        "build/portable has no wheel of this machine unpacked: ./dev wheel --all does it"
+    )

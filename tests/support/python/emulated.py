@@ -17,7 +17,8 @@ from targets import targets  # noqa: E402
 PORTABLE = ROOT / "build/portable"
 #: Debian's C library for aarch64, of libc6-arm64-cross.
 AARCH64_LIBRARIES = "/usr/aarch64-linux-gnu"
-RUNNERS = {"python": [], "qemu": ["qemu-aarch64-static", "-L", AARCH64_LIBRARIES], "wine": ["wine"]}
+RUNNERS = {"qemu": ["qemu-aarch64-static", "-L", AARCH64_LIBRARIES], "wine": ["wine"]}
+THIS = f"linux-{os.uname().machine}"
 EMULATED = [name for name, row in targets().items() if row.tried in ("qemu", "wine")]
 
 
@@ -61,7 +62,7 @@ def python_of(target):
     is not there. That of this machine for its own target."""
     folder = PORTABLE / target
     there = folder / "debian"
-    if target == f"linux-{os.uname().machine}":
+    if target == THIS:
         words = [sys.executable]
     elif found := sorted(there.glob("usr/bin/python3.*[0-9]")):
         words = [RUNNERS["qemu"][0], "-L", str(there), str(found[0])]
@@ -70,6 +71,13 @@ def python_of(target):
     if not (folder / "packages/pliant").is_dir():
         return None
     return Command(words, {**os.environ, "PYTHONPATH": str(folder / "packages")})
+
+
+def own_command():
+    """`pliant` of the wheel of this machine, by the same compiler; None where it is not there."""
+    python = python_of(THIS)
+    script = PORTABLE / THIS / "packages/bin/pliant"
+    return python and Command([*python.words, str(script)], python.environment)
 
 
 def stored(path):
