@@ -61,6 +61,14 @@ class Locked {
   std::unique_ptr<Object> object_;
 };
 
+/// The member function `Call`, which takes nothing, as a function of the locked object.
+template <class Object, auto Call>
+auto locked() {
+  return [](Locked<Object>& self) {
+    return self.call([](Object& object) { return (object.*Call)(); });
+  };
+}
+
 using LockedRecorder = Locked<H5mdRecorder>;
 using LockedReader = Locked<H5mdReader>;
 

@@ -62,7 +62,7 @@ void set_positions(Structure& self, const ArrayLike& values) {
 
 std::string structure_repr(const Structure& self) {
   std::string text = "<pliant.Structure";
-  if (!self.source.empty()) text.append(" ").append(quoted(self.source));
+  if (!self.source.empty()) text.append(" ").append(pliant::quoted(self.source));
   return text + ": " + std::to_string(self.size()) + " atoms, " +
          std::to_string(self.bonds.size()) + " bonds>";
 }

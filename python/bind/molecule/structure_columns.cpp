@@ -29,7 +29,7 @@ std::uint8_t element_from_number(std::int64_t number, std::size_t atom) {
 std::uint8_t element_from_symbol(const std::string& symbol, std::size_t atom) {
   const std::uint8_t number = element_number(symbol);
   if (number == 0 && !symbol.empty() && symbol != "X")
-    throw InputError("elements[" + std::to_string(atom) + "]: " + quoted(symbol) +
+    throw InputError("elements[" + std::to_string(atom) + "]: " + pliant::quoted(symbol) +
                      " is no element");
   return number;
 }
@@ -56,10 +56,10 @@ std::vector<std::string> symbols_of(const std::vector<std::uint8_t>& elements) {
 
 /// The columns that tell residues apart; a missing one says nothing.
 struct ResidueColumns {
-  Texts names;
+  TextColumn names;
   std::optional<std::vector<std::int64_t>> ids;
-  Texts insertion_codes;
-  Texts chains;
+  TextColumn insertion_codes;
+  TextColumn chains;
 
   void check(std::size_t count) const {
     if (names) check_length("residue_names", *names, count, "atoms");
@@ -73,7 +73,7 @@ struct ResidueColumns {
     const std::string& code = (*insertion_codes)[atom];
     if (code.size() > 1)
       throw InputError("insertion_codes[" + std::to_string(atom) +
-                       "]: expected one character or none, found " + quoted(code));
+                       "]: expected one character or none, found " + pliant::quoted(code));
     return code.empty() ? ' ' : code[0];
   }
 
@@ -154,11 +154,11 @@ std::vector<Bond> canonical(std::vector<Bond> bonds) {
 }
 
 void make_structure(Structure* self, const ArrayLike& positions, const OptionalArray& elements,
-                    const Texts& names, const Texts& residue_names,
-                    const OptionalArray& residue_ids, const Texts& insertion_codes,
-                    const Texts& chains, const OptionalArray& serials, const OptionalArray& bonds,
-                    const OptionalArray& bond_orders, const OptionalArray& charges,
-                    const std::string& title) {
+                    const TextColumn& names, const TextColumn& residue_names,
+                    const OptionalArray& residue_ids, const TextColumn& insertion_codes,
+                    const TextColumn& chains, const OptionalArray& serials,
+                    const OptionalArray& bonds, const OptionalArray& bond_orders,
+                    const OptionalArray& charges, const std::string& title) {
   Structure made;
   made.title = title;
   made.positions = positions_from(positions);

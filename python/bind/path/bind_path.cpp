@@ -88,7 +88,8 @@ std::shared_ptr<PathEnds> matched(const Structure& start, const Structure& end,
 }
 
 /// (F, N, 3) of the frames from one on.
-nb::ndarray<nb::numpy, double, nb::ndim<3>> positions_of(PythonPathWalk& self, std::size_t first) {
+nb::ndarray<nb::numpy, double, nb::ndim<3>> path_positions(PythonPathWalk& self,
+                                                           std::size_t first) {
   auto kept = std::make_unique<std::vector<Vec3>>();
   const std::size_t joints = self.ends()->start.model.positions.size();
   const std::size_t count = self.look([&](const PathWalk& walk) {
@@ -217,7 +218,7 @@ void bind_walk(nb::module_& module) {
       .def_prop_ro("notes", looking(&PathWalk::notes),
                    "How residues were matched, where the ends met, why it ended.")
       .def("__len__", looking(&PathWalk::frame_count))
-      .def("positions", &positions_of, "first"_a = 0, nb::rv_policy::reference,
+      .def("positions", &path_positions, "first"_a = 0, nb::rv_policy::reference,
            "(F, N, 3) float64: frames of the start on the best way so far, from one on, Angstrom.")
       .def(
           "table",

@@ -83,17 +83,10 @@ nb::dict parameters_of(LockedReader& self) {
   return values;
 }
 
-/// A function of the reader as one of the locked reader.
-template <auto Call>
-auto locked() {
-  return [](LockedReader& self) {
-    return self.call([](const H5mdReader& reader) { return (reader.*Call)(); });
-  };
-}
-
 void bind_frames(nb::class_<LockedReader>& reader) {
-  reader.def("__len__", locked<&H5mdReader::frames>())
-      .def_prop_ro("joint_count", locked<&H5mdReader::joint_count>(), "Number N of joints.")
+  reader.def("__len__", locked<H5mdReader, &H5mdReader::frames>())
+      .def_prop_ro("joint_count", locked<H5mdReader, &H5mdReader::joint_count>(),
+                   "Number N of joints.")
       .def("positions", &positions_of, "frame"_a,
            "(N, 3) float64, Angstrom: a new array. Negative frames count from the end.")
       .def(
@@ -114,7 +107,7 @@ void bind_frames(nb::class_<LockedReader>& reader) {
 
 void bind_recorded(nb::class_<LockedReader>& reader) {
   reader
-      .def_prop_ro("observables", locked<&H5mdReader::observables>(),
+      .def_prop_ro("observables", locked<H5mdReader, &H5mdReader::observables>(),
                    "Names of what is recorded once a frame as a number, sorted.")
       .def(
           "observable",
@@ -126,7 +119,8 @@ void bind_recorded(nb::class_<LockedReader>& reader) {
       .def("parameters", &parameters_of,
            nb::sig("def parameters(self) -> dict[str, bool | int | float | str]"),
            "The values below /parameters by path: every option of the run.")
-      .def("framework", locked<&H5mdReader::framework>(), "The framework that was recorded.")
+      .def("framework", locked<H5mdReader, &H5mdReader::framework>(),
+           "The framework that was recorded.")
       .def(
           "structure",
           [](LockedReader& self, std::int64_t frame) {

@@ -77,14 +77,6 @@ void record(LockedRecorder& self, const OwnedFrame& frame) {
   self.call([&](H5mdRecorder& recorder) { recorder.record(shown); });
 }
 
-/// The void or const member function `call` as a function of the locked object.
-template <auto Call>
-auto locked() {
-  return [](LockedRecorder& self) {
-    return self.call([](H5mdRecorder& recorder) { return (recorder.*Call)(); });
-  };
-}
-
 constexpr const char* recorder_doc =
     R"(Writes frames to an H5MD 1.1 file (de Buyl, Colberg, Hoefling, Comput. Phys. Commun. 185 (2014) 1546).
 
@@ -144,11 +136,12 @@ void bind_record(nb::module_& module) {
            "Adds a frame, which must come after the last one and have finite positions and time.\n"
            "Raises FileError once the recorder is closed.")
       .def("__call__", &record, "frame"_a, "The same, so that it is an observer.")
-      .def("flush", locked<&H5mdRecorder::flush>(),
+      .def("flush", locked<H5mdRecorder, &H5mdRecorder::flush>(),
            "Commits all recorded frames, which then survive this process.")
-      .def("close", locked<&H5mdRecorder::close>(), "Commits and closes; further calls do nothing.")
-      .def_prop_ro("frames", locked<&H5mdRecorder::frames>(), "Frames recorded.")
-      .def_prop_ro("committed_frames", locked<&H5mdRecorder::committed_frames>(),
+      .def("close", locked<H5mdRecorder, &H5mdRecorder::close>(),
+           "Commits and closes; further calls do nothing.")
+      .def_prop_ro("frames", locked<H5mdRecorder, &H5mdRecorder::frames>(), "Frames recorded.")
+      .def_prop_ro("committed_frames", locked<H5mdRecorder, &H5mdRecorder::committed_frames>(),
                    "Frames recorded and certain to be in the file.")
       .def_prop_ro(
           "path",
@@ -161,7 +154,9 @@ void bind_record(nb::module_& module) {
           nb::sig("def __enter__(self) -> H5mdRecorder"))
       .def(
           "__exit__",
-          [](LockedRecorder& self, const nb::args&) { locked<&H5mdRecorder::close>()(self); },
+          [](LockedRecorder& self, const nb::args&) {
+            locked<H5mdRecorder, &H5mdRecorder::close>()(self);
+          },
           nb::sig("def __exit__(self, *exception: object) -> None"));
 }
 

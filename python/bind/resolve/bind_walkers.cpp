@@ -116,7 +116,7 @@ level : str
     Level of instructions to use, a name in ``lane_levels()``; by default the best.
 )";
 
-constexpr const char* resolve_doc =
+constexpr const char* resolve_walkers_doc =
     R"(Moves all ``positions`` in place, as the function ``resolve`` does those of one walker.
 
 Parameters
@@ -164,7 +164,7 @@ void bind_walkers(nb::module_& module) {
                    "The instructions in use; empty if walkers go one after the other.")
       .def("resolve", &SharedWalkerResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
            "step"_a = 0, "first_walker"_a = 0, "reference"_a = nb::none(),
-           "measured"_a = "max_residual", resolve_doc);
+           "measured"_a = "max_residual", resolve_walkers_doc);
 }
 
 }  // namespace pliant::python

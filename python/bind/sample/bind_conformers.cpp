@@ -81,9 +81,9 @@ class Shapes {
   Symmetries symmetries_;
 };
 
-nb::object choose(const nb::object& structure, const GivenFrames& positions,
-                  const std::vector<double>& energies, std::size_t most, double rms,
-                  double window) {
+nb::object choose_among(const nb::object& structure, const GivenFrames& positions,
+                        const std::vector<double>& energies, std::size_t most, double rms,
+                        double window) {
   const Shapes shapes(structure);
   const std::vector<std::size_t> chosen =
       choose_conformers(shapes.distances(positions), energies, {most, rms, window});
@@ -107,8 +107,8 @@ void bind_conformers(nb::module_& module) {
   using namespace nb::literals;
   module.def("_draw_conformers", &draw, "structure"_a, "starts"_a, "frames"_a, "seed"_a,
              "turn_amides"_a = false, "threads"_a = 1);
-  module.def("_choose_conformers", &choose, "structure"_a, "positions"_a, "energies"_a, "most"_a,
-             "rms"_a, "window"_a);
+  module.def("_choose_conformers", &choose_among, "structure"_a, "positions"_a, "energies"_a,
+             "most"_a, "rms"_a, "window"_a);
   module.def("_symmetric_rmsd", &nearest, "structure"_a, "positions"_a, "goals"_a);
 }
 

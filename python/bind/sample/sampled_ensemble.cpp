@@ -19,7 +19,7 @@ namespace {
 
 using Frames = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
 
-Frames frames_of(nb::handle_t<SampledEnsemble> self) {
+Frames sampled_frames(nb::handle_t<SampledEnsemble> self) {
   auto& ensemble = nb::cast<SampledEnsemble&>(self);
   const std::size_t atoms = ensemble.atoms();
   const std::size_t frames = atoms == 0 ? 0 : ensemble.positions.size() / atoms;
@@ -138,7 +138,7 @@ void bind_sampled_ensemble(nb::module_& module) {
       .def_prop_ro(
           "amplitude_reason", [](const SampledEnsemble& self) { return self.amplitude.reason; },
           "Origin of the amplitude that was asked for, in words.")
-      .def_prop_ro("positions", &frames_of, "(F, N, 3) float64 view, Angstrom.")
+      .def_prop_ro("positions", &sampled_frames, "(F, N, 3) float64 view, Angstrom.")
       .def("record", &record_ensemble, "path"_a, nb::kw_only(), "overwrite"_a = false,
            "single"_a = false, "compress"_a = false, "precision"_a = 0.0, "save"_a = "",
            "Writes the H5MD file that ``sample`` writes with ``output``; options as for\n"
