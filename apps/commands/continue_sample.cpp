@@ -111,7 +111,8 @@ int continue_sample(const CommandLine& line, SampleSettings& settings) {
     messages.log().note(
         fmt::format("{} has all of its {} frames; --frames N goes on up to N in all",
                     path_text(from.path), from.steps));
-  SampledSystem system{recorded_text(from, "model/kind"), from.framework, from.inputs.start,
+  const std::string kind = recorded_text(from, "model/kind");  // the system refers to it
+  SampledSystem system{kind, from.framework, from.inputs.start,
                        LimitCounter(from.framework.limits()).size()};
   if (std::string left_out = recorded_text(from, "model/left_out"); !left_out.empty())
     system.left_out.push_back(std::move(left_out));

@@ -24,12 +24,6 @@ struct Ring {
   std::vector<std::uint32_t> bonds;  ///< ascending
 };
 
-bool share_a_bond(const Ring& one, const Ring& other) {
-  return std::any_of(one.bonds.begin(), one.bonds.end(), [&](std::uint32_t bond) {
-    return std::binary_search(other.bonds.begin(), other.bonds.end(), bond);
-  });
-}
-
 /// Electrons of each atom that can be in an aromatic ring.
 class PiElectrons {
  public:

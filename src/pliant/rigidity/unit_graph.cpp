@@ -182,7 +182,8 @@ class LoopMerger {
     const Reach& known = reach_[there];
     if (there == root || known.branch == way.branch) return false;
     if (reach_[here].cost + known.cost + weight(root) > most_freedom) return false;
-    return unite_way(root, here) | unite_way(root, there);
+    const bool from_here = unite_way(root, here), from_there = unite_way(root, there);
+    return from_here || from_there;
   }
 
   bool unite_way(UnitNode root, UnitNode node) {

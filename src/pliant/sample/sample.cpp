@@ -49,8 +49,7 @@ class Sampling {
  public:
   Sampling(const Framework& framework, std::span<const Vec3> start, const NetworkNodes& nodes,
            const SampleOptions& options, const BodyPlan& plan)
-      : framework_(framework),
-        start_(start),
+      : start_(start),
         options_(options),
         sampler_(find_sampler(options.sampler).make({framework, plan, start, nodes, options})),
         joint_of_node_(joints_nearest_to(nodes.positions)),
@@ -219,7 +218,6 @@ class Sampling {
       summary_.amplitude_reached += summary_.rmsf[joint] / double(joint_of_node_.size());
   }
 
-  const Framework& framework_;
   std::span<const Vec3> start_;
   const SampleOptions& options_;
   std::unique_ptr<Sampler> sampler_;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """pliant sample --continue: the bits of one sample, after its end, Ctrl-C and any kill."""
 
+import json
 import os
 import subprocess
 import time
@@ -35,6 +36,14 @@ def test_two_parts_are_the_whole(pliant, tmp_path, options):
     ended = pliant("sample", "--continue", "part.h5md", "--frames", 9, "--threads", 2, "--quiet")
     assert (ended.code, ended.err) == (0, "")
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+
+
+def test_it_names_the_model_of_the_file(pliant, tmp_path):
+    pliant("sample", PEPTIDE, "-o", "part.h5md", "--frames", 2, "--model", "molecule", *COMMON)
+    ended = pliant("sample", "--continue", "part.h5md", "--frames", 3, "--json")
+    assert json.loads(ended.out)["model"] == "molecule"
+    ended = pliant("sample", "--continue", "part.h5md", "--frames", 4, "--verbose")
+    assert "model           molecule: " in ended.out
 
 
 def test_free_torsions_have_no_preferences(pliant, tmp_path):

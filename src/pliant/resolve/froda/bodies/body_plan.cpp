@@ -27,8 +27,7 @@ UnitSet units_of_bodies(const Framework& framework) {
 class BodyPlanner {
  public:
   explicit BodyPlanner(const Framework& framework)
-      : framework_(framework),
-        set_(units_of_bodies(framework)),
+      : set_(units_of_bodies(framework)),
         graph_(connect_units(framework, set_)),
         from_(graph_.links.node_count(), unset),
         seen_(graph_.links.node_count(), 0),
@@ -129,7 +128,6 @@ class BodyPlanner {
     plan_.bodies_.push_back(body);
   }
 
-  const Framework& framework_;
   UnitSet set_;
   UnitGraph graph_;
   BodyPlan plan_;
