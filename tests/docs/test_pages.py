@@ -98,6 +98,7 @@ def test_every_picture_of_the_gallery_is_made_by_what_it_shows():
 
 
 @pytest.mark.long
+@pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 def test_the_gallery_makes_its_pictures(tmp_path, monkeypatch):
     if not (transcripts.STRUCTURES / "pdb1ubi.pdb").exists():
         pytest.skip("ubiquitin is not there: ./dev demo fetches it")

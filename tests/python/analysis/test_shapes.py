@@ -8,7 +8,6 @@ import h5py
 import MDAnalysis
 import numpy as np
 import pytest
-from conftest import Molecule, rotated
 from pliant.analyse import analyse, representatives
 from pliant.analyse.analysis import AnalysisOptions
 from pliant.analyse.command import main
@@ -22,6 +21,7 @@ from pliant.analysis.frame_store import FrameStore
 from pliant.analysis.pockets import find_pockets
 from pliant.analysis.rigid_turns import rigid_turns
 from pliant.analysis.shapes import LEAST_RMSD, MOST_SHAPES, find_shapes
+from turned_molecule import Molecule, rotated
 
 import pliant
 

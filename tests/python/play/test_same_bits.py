@@ -77,6 +77,7 @@ def test_a_thousand_steps_of_all_techniques(solver, name):
 
 
 @pytest.mark.long
+@pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 def test_a_protein(solver):
     path = Path(datafiles.PDB_small)
     assert_same_walk(solver, path, "bonds", ["blocks", "units", "bfs_cycle"], 1000)
