@@ -17,24 +17,23 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 readonly target=$1 portable=$PWD/build/portable
 readonly needed=(numpy h5py scipy pytest)
 
-# The Debian whose Python is of this version.
-suite_of() {
-  case $1 in
-    3.11) printf 'bookworm\n' ;;
-    3.13) printf 'trixie\n' ;;
-    *) printf 'emulated_python.sh: no Debian has Python %s\n' "$1" >&2 && return 1 ;;
-  esac
-}
+# The version of Python of a Debian that a wheel is there for, and that Debian.
+if compgen -G "build/wheels/*-cp311-*$(target_field "$target" platform).whl" >/dev/null; then
+  readonly version=3.11 suite=bookworm
+else
+  readonly version=3.13 suite=trixie
+fi
 
-# need_python VERSION: Debian's packages are unpacked, not installed: nothing of theirs runs.
+# Debian's packages are unpacked, not installed: nothing of theirs runs.
 need_python() {
   local folder=$portable/$target/debian processor=arm64 package
-  [ ! -x "$folder/usr/bin/python$1" ] || return 0
+  [ ! -x "$folder/usr/bin/python$version" ] || return 0
   rm -rf "$folder"
-  begin_apt "$folder/apt" deb "$(suite_of "$1")" -o "APT::Architecture=$processor"
+  begin_apt "$folder/apt" deb "$suite" -o "APT::Architecture=$processor"
   own_apt "$folder/apt" -o "APT::Architecture=$processor" -o "APT::Architectures=$processor" \
-    install --yes --no-install-recommends --download-only "python$1" libstdc++6
+    install --yes --no-install-recommends --download-only "python$version" libstdc++6
   for package in "$folder"/apt/archives/*.deb; do dpkg-deb --extract "$package" "$folder"; done
+  [ -e "$folder/lib" ] || ln -s usr/lib "$folder/lib" # of the package base-files, from trixie on
   rm -rf "$folder/apt"
 }
 
@@ -48,7 +47,6 @@ install_packages() {
   .venv/bin/python -m pip install "${options[@]}" --no-index --no-deps --find-links build/wheels pliant
 }
 
-version=$(say_version .venv/bin/python)
-need_python "$version"
+need_python
 install_packages "$target" "$version"
-install_packages "$(this_target)" "$version"
+install_packages "$(this_target)" "$(say_version .venv/bin/python)"

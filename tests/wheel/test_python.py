@@ -9,7 +9,7 @@ from emulated import ROOT, RUNNERS, THIS, python_of, stored, targets
 
 PEPTIDE = (ROOT / "data/molecules/peptide_20.pdb").read_bytes()
 FOREIGN = [name for name, row in targets().items() if row.tried == "qemu"]
-COMMAND = "import sys; from pliant.{0}.command import main; sys.exit(main())"
+PATH = "import sys; from pliant.path.command import main; sys.exit(main())"
 
 
 @pytest.fixture(params=FOREIGN)
@@ -35,7 +35,7 @@ def test_paths_have_the_same_bytes(theirs, ends, options):
     found = []
     for python, output in ((theirs, "theirs.h5md"), (python_of(THIS), "ours.h5md")):
         words = ["start.pdb", "end.pdb", *options, "-o", output]
-        done = python.run("-c", COMMAND.format("path"), *words, cwd=ends)
+        done = python.run("-c", PATH, *words, cwd=ends)
         assert done.returncode in (0, 3), done.stderr  # 3: the end is not reached
         found.append(stored(ends / output))
     other, datasets = found
