@@ -18,6 +18,17 @@ import versions
 from project import Project
 
 DONE = "build/done"  # ./dev notes there which command passed with the files of which commit
+# What a command does not read: what it showed still holds where nothing else was changed since.
+UNREAD = {
+    "wheel--all": (
+        ".github",
+        "docs",
+        "python/release",
+        *(f"tests/{name}" for name in ("bench", "cli", "corpus", "docs", "examples", "fuzz")),
+        *(f"tests/{name}" for name in ("golden", "law", "lint", "python", "threads", "unit")),
+        "tests/seconds.toml",
+    )
+}
 TESTS_OF_LINKS = "tests/lint/test_links.py"
 TESTS_OF_WORKFLOWS = "tests/lint/test_workflows.py"
 
@@ -107,18 +118,38 @@ def promises(project: Project) -> Result:
     return _of(found, f"{count} lines, as listed for {now}")
 
 
+def holds(project: Project, name: str) -> bool:
+    """Whether a command of ./dev passed with all that it reads of this commit."""
+    noted = project.git(
+        "rev-parse", "--verify", project.text(f"{DONE}/{name}").strip() + "^{commit}"
+    )
+    unread = [f":(exclude){path}" for path in UNREAD.get(name, ())]
+    return bool(noted) and not project.git("diff", "--name-only", noted, "HEAD", "--", ".", *unread)
+
+
 def done(project: Project, *names: str) -> str:
-    """The first of these commands of ./dev that passed with this commit; empty if none did."""
-    commit = project.commit()
-    passed = [n for n in names if commit and project.text(f"{DONE}/{n}").strip() == commit]
-    return passed[0] if passed else ""
+    """The first of these commands of ./dev that need not be run again; empty if all must."""
+    return next((name for name in names if holds(project, name)), "")
+
+
+def _spoken(name: str) -> str:
+    return name.replace("--", " --")
+
+
+def _noted(project: Project, name: str) -> str:
+    commit = project.text(f"{DONE}/{name}").strip()
+    if commit == project.commit():
+        return "this commit"
+    return f"{commit[:12]}, and what it reads is the same"
 
 
 def _made_by(project: Project, command: str, *instead: str) -> Result:
-    """Whether a command of ./dev passes; it is run unless it has, with this very commit."""
+    """Whether a command of ./dev passes; it is run unless it has, with all that it reads."""
     name = done(project, *instead, command)
     if name:
-        return Result(True, f"./dev {name.replace('--', ' --')} passed with this commit")
+        return Result(
+            True, f"./dev {name.replace('--', ' --')} passed with {_noted(project, name)}"
+        )
     words = command.replace("--", " --").split()
     code = subprocess.run(["./dev", *words], cwd=project.root, check=False).returncode
     return Result(code == 0, f"./dev {' '.join(words)} {'passed' if code == 0 else 'failed'}")

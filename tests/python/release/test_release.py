@@ -2,63 +2,27 @@
 """./dev release --quick of these files passes, and each of its checks can fail."""
 
 import hashlib
-import subprocess
-import sys
 from pathlib import Path
 
+import addresses
+import changelog
+import checks
+import conda_recipe
+import pictures
+import product
 import pytest
-
-ROOT = Path(__file__).parents[3]
-sys.path.insert(0, str(ROOT / "python" / "release"))
-
-import addresses  # noqa: E402
-import changelog  # noqa: E402
-import checks  # noqa: E402
-import conda_recipe  # noqa: E402
-import pictures  # noqa: E402
-import product  # noqa: E402
-import registry_kit  # noqa: E402
-import versions  # noqa: E402
-from project import Project  # noqa: E402
+import registry_kit
+import versions
+from project import Project
+from small_project import SECTION, commit
 
 yaml = pytest.importorskip("yaml", reason="PyYAML is not installed")
 
+ROOT = Path(__file__).parents[3]
 THESE = Project(ROOT)
 ADDRESS = "https://git.invalid/someone/pliant"
-SECTION = "\nWhat it is.\n\n### Added\n\n- A thing.\n\n### Fixed\n\n- A [fault](docs/a.md).\n"
 
 is_clone = pytest.mark.skipif(not THESE.files(), reason="this is no clone: git lists no files")
-
-
-@pytest.fixture
-def small(tmp_path):
-    """A clone with what the quick checks read, and nothing wrong in it."""
-    files = {
-        "CMakeLists.txt": "project(pliant VERSION 1.2.3 LANGUAGES CXX)\n",
-        "CITATION.cff": "version: 1.2.3\ndate-released: 2027-01-02\n",
-        "CHANGELOG.md": f"# Changelog\n\n## 1.2.3 (2027-01-02)\n{SECTION}",
-        "pyproject.toml": '[tool.pliant]\nrepository = ""\nmaintainers = []\n',
-        "docs/page.md": "![A thing](pictures/thing.png)\n",
-        "docs/pictures/thing.png": "",
-        "docs/make_pictures.py": '"thing.png"\n',
-    }
-    for name, text in files.items():
-        path = tmp_path / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-    in_git(tmp_path, "init", "--quiet")
-    commit(tmp_path)
-    return Project(tmp_path)
-
-
-def in_git(folder, *words):
-    who = ("-c", "user.name=a", "-c", "user.email=a@b.invalid")
-    subprocess.run(["git", *who, *words], cwd=folder, check=True, capture_output=True)
-
-
-def commit(folder):
-    in_git(folder, "add", "--all")
-    in_git(folder, "commit", "--quiet", "--allow-empty", "--message", "a")
 
 
 def put(project, name, old, new):
@@ -169,16 +133,6 @@ def test_a_picture_that_is_missing_or_from_nowhere_is_found(small, name, text, s
 def test_a_tree_with_changes_is_found(small):
     (small.root / "new.txt").write_text("")
     assert checks.tree(small).details == ["new.txt: not in the commit"]
-
-
-def test_a_run_counts_for_the_commit_it_was_made_with(small):
-    folder = small.root / checks.DONE
-    folder.mkdir(parents=True)
-    (folder / "test--all").write_text(small.commit() + "\n")
-    assert checks.done(small, "test", "test--all") == "test--all"
-    assert checks.tests(small).passed
-    commit(small.root)
-    assert checks.done(small, "test", "test--all") == ""
 
 
 def test_a_new_version_is_written_everywhere(small):
