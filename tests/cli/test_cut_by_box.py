@@ -100,6 +100,7 @@ def test_a_protein_of_md_with_all_its_water_is_sampled(pliant, tmp_path):
         assert longest(reader.positions(frame), structure.bonds) < 2.5
 
 
+@pytest.mark.long
 def test_check_makes_its_start_whole_and_says_so(pliant, cut):
     pytest.importorskip("openmm")
     cut()

@@ -28,6 +28,7 @@ def test_anilinopyridine_has_two_rotors_in_each_drawing(drawing, pliant, tmp_pat
     assert len(rotors_of(block, pliant, tmp_path)) == 2
 
 
+@pytest.mark.long
 def test_the_amine_of_imatinib_turns_in_each_drawing(pliant, tmp_path):
     made = embedded(IMATINIB)
     sets = [rotors_of(block, pliant, tmp_path) for block in drawings(made)]

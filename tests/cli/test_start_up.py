@@ -34,9 +34,16 @@ def test_a_fifth_more_is_refused(start):
     assert "allow less" in findings(start, least._replace(other=0.9 * least.other))[0]
 
 
+# An import takes valgrind as long as all commands do.
+COUNTED = [
+    pytest.param(start, marks=[pytest.mark.long] if start.name.startswith("import") else [])
+    for start in STARTS
+]
+
+
 @pytest.mark.skipif(shutil.which("valgrind") is None, reason="valgrind is missing: ./dev test")
 @pytest.mark.skipif("PLIANT_COMMAND" in os.environ, reason="the budgets are of the optimised build")
-@pytest.mark.parametrize("start", STARTS, ids=lambda start: start.name)
+@pytest.mark.parametrize("start", COUNTED, ids=lambda start: start.name)
 def test_starting_stays_within_its_budget(start: Start, capsys):
     if start.name.startswith("import") and sys.version_info[:2] != (3, 11):
         pytest.skip("counted with Python 3.11")

@@ -111,6 +111,7 @@ def test_sigusr1_may_come_again(tmp_path):
     assert {one.walker for one in commits_in(tmp_path / "o.log")} == set(range(3, 11))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "more",
     [

@@ -110,6 +110,7 @@ def test_watch_records_what_it_sees(pliant, command, tmp_path):
 ENDLESS = ("--steps", "1000000000", "--every", "1000000")
 
 
+@pytest.mark.long
 def test_who_reads_nothing_keeps_nobody_else_from_watching(pliant, command, tmp_path):
     with served_run(command, tmp_path, *ENDLESS, "--imd-kill") as run, Client(port=run.port):
         ended = pliant("watch", f":{run.port}", "--frames", "5", "--kill", "--json")

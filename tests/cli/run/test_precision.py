@@ -69,6 +69,7 @@ def test_a_sample_goes_on(pliant, tmp_path):
     assert np.array_equal(whole[0], part[0])
 
 
+@pytest.mark.long
 def test_the_report_and_the_check_allow_for_it(pliant, runs, tmp_path):
     ended = pliant("analyse", "rounded.h5md", "--json")
     verdict = json.loads(ended.out)["verdicts"]["bars"]

@@ -122,6 +122,7 @@ def test_nothing_goes_on_from_a_part(pliant, tmp_path, command):
     assert (tmp_path / "some.h5md").read_bytes() == before
 
 
+@pytest.mark.long
 def test_the_report_says_what_it_looked_at(pliant, tmp_path):
     pliant("sample", PEPTIDE, "--frames", "40", "--save", "not element H", "-o", "some.h5md")
     ended = pliant("analyse", "some.h5md", "-o", "report")
@@ -138,6 +139,7 @@ def test_atoms_without_bonds_have_no_torsions(pliant):
     assert ended.code == 0 and "rotatable" not in ended.out
 
 
+@pytest.mark.long
 def test_a_part_is_compared_as_the_whole_is(pliant, tmp_path):
     for name, more in (("all", ()), ("some", ("--save", "name CA"))):
         pliant("sample", PEPTIDE, "--frames", "40", *more, "-o", f"{name}.h5md")

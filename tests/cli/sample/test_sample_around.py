@@ -49,6 +49,7 @@ def test_what_is_no_place_is_refused(pliant, selection, more, text):
     assert text in ended.err
 
 
+@pytest.mark.long
 def test_the_place_comes_nearer_to_a_known_state_than_by_modes(pliant, tmp_path):
     """Adenylate kinase, all atoms, closed to open: the mean distance of backbone atoms of the place
     with all else superposed."""

@@ -16,6 +16,8 @@ from pliant.analyse.parts import Units
 from pliant.analysis.domains import distance_fluctuations
 from scipy.spatial import cKDTree
 
+pytestmark = pytest.mark.long
+
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")
 
 ATOMS = 9632

@@ -42,6 +42,7 @@ def test_every_analysis_is_tried_here():
     assert classes | {"FrameIndex"} == set(MADE)
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not HAS_BACKENDS, reason="MDAnalysis has one process before 2.8")
 @pytest.mark.parametrize("name", MADE)
 def test_two_processes_give_what_one_gives(universe, name):

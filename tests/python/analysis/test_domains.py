@@ -87,6 +87,7 @@ def test_what_does_not_repeat_is_not_shown():
     assert found.count == 0 and found.hinges == [] and np.all(found.domain == -1)
 
 
+@pytest.mark.long
 def test_cores_of_bodies_that_change_are_not_shown():
     """A chain of eight bends as a whole: where it is cut differs from resample to resample."""
     positions = bodies(0.5 * drawn(200, 7, 1))

@@ -14,6 +14,8 @@ from test_shapes import shell
 
 import pliant
 
+pytestmark = pytest.mark.long
+
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")
 FOLDER = DATA.PDB_small.rsplit("/", 1)[0]
 

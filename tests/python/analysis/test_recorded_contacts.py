@@ -58,6 +58,7 @@ def test_the_report_has_a_row_for_each(diluted, tmp_path):
     assert rows[0]["first"].rpartition(":")[2] in names
 
 
+@pytest.mark.long
 def test_energies_are_those_of_the_model_in_kcal(diluted, tmp_path):
     analyse(diluted, tmp_path / "report")
     with open(tmp_path / "report" / "held_contacts.csv", encoding="utf-8") as file:
@@ -83,6 +84,7 @@ def test_they_are_saved_from_a_broken_file(diluted, tmp_path):
     assert saved.kinds == before.kinds
 
 
+@pytest.mark.long
 def test_a_file_without_them_says_so(diluted, tmp_path):
     old = tmp_path / "old.h5md"
     old.write_bytes(diluted.read_bytes())

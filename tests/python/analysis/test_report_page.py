@@ -98,6 +98,7 @@ class TestViewer:
         assert foreign == [report.as_uri()]
         assert browser.errors == []
 
+    @pytest.mark.long
     def test_every_figure_is_shown(self, report, opened):
         browser = opened(report)
         broken = "[...document.images].filter((i) => !i.complete || i.naturalWidth === 0).length"
@@ -105,6 +106,7 @@ class TestViewer:
         assert browser.evaluate(broken) == 0
         assert browser.evaluate("[...document.images].every((image) => image.alt.length > 20)")
 
+    @pytest.mark.long
     def test_the_slider_goes_to_a_frame(self, report, opened):
         browser = opened(report)
         before = browser.evaluate("document.querySelector('#view canvas').toDataURL()")
@@ -119,6 +121,7 @@ class TestViewer:
         )
         assert browser.evaluate("document.querySelector('#view canvas').toDataURL()") != before
 
+    @pytest.mark.long
     def test_it_plays_and_pauses(self, report, opened):
         browser = opened(report)
         browser.evaluate("document.getElementById('play').click()")
@@ -129,6 +132,7 @@ class TestViewer:
         browser.evaluate("new Promise((resolve) => setTimeout(resolve, 400))")
         assert frame(browser) == stopped
 
+    @pytest.mark.long
     def test_a_click_on_the_chart_goes_there(self, report, opened):
         browser = opened(report)
         browser.evaluate("document.getElementById('chart').scrollIntoView()")
@@ -143,6 +147,7 @@ class TestViewer:
             browser.call("Input.dispatchMouseEvent", {"type": kind, **place})
         assert frame(browser) == 10
 
+    @pytest.mark.long
     def test_broken_bars_are_orange_in_their_frame_only(self, report, opened):
         browser = opened(report)
         press(browser, "colours", "residual")
@@ -157,6 +162,7 @@ class TestViewer:
         assert shares[11] == 0
         assert shares[12] > 0.0005
 
+    @pytest.mark.long
     @pytest.mark.parametrize(
         ("style", "colour"), [("Cartoon", "mobility"), ("Ball and stick", "element")]
     )
@@ -175,6 +181,7 @@ class TestViewer:
         assert browser.evaluate(INK)["ink"] > 0.0005
         assert browser.errors == []
 
+    @pytest.mark.long
     def test_it_fits_a_small_screen(self, report, opened):
         browser = opened(report)
         size = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": False}

@@ -99,6 +99,7 @@ def test_it_asks_no_network(page):
     assert "default-src 'none'" in text
 
 
+@pytest.mark.long
 @needs_browser
 def test_it_draws_clusters_and_flexibility(page, tmp_path):
     with Page(tmp_path / "profile") as browser:

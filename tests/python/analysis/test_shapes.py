@@ -235,6 +235,7 @@ def test_the_report_says_which_shapes_there_are(ensemble, tmp_path, no_drawing):
     assert len(MDAnalysis.Universe(folder / "shapes.pdb").trajectory) == 3
 
 
+@pytest.mark.long
 def test_shapes_are_drawn_one_in_a_panel(ensemble, tmp_path):
     figure = tmp_path / "report" / "shapes.png"
     analyse(ensemble(), figure.parent, dpi=50)
@@ -255,6 +256,7 @@ def test_frames_around_the_start_alone_are_said_to_be_that(ensemble, tmp_path, c
         representatives(path, shapes=True)
 
 
+@pytest.mark.long
 def test_contacts_and_pockets_of_a_protein(tmp_path):
     """Of frames that pliant makes: contacts gone are those that the file says are not held."""
     path = tmp_path / "adk.h5md"

@@ -21,6 +21,7 @@ def example():
     return module
 
 
+@pytest.mark.long
 def test_dynamics_and_pliant_side_by_side(example, tmp_path, capsys):
     words = [
         str(MOLECULE),

@@ -136,6 +136,7 @@ def test_the_first_screen_says_what_follows(ours, models, tmp_path, capsys):
     assert (tmp_path / "ours.compare-residues.png").read_bytes()[:4] == b"\x89PNG"
 
 
+@pytest.mark.long
 def test_json_holds_profiles_errors_and_modes(ours, models, capsys):
     assert main([ours, models, "--json", "--no-picture"]) == 0
     report = json.loads(capsys.readouterr().out)
@@ -158,6 +159,7 @@ def test_the_same_ensemble_lacks_nothing(ours, tmp_path):
     assert found.conclusions[0].startswith("The same parts move: r = 1.00")
 
 
+@pytest.mark.long
 def test_what_moves_in_one_alone_is_named(tmp_path):
     rng = np.random.default_rng(3)
     mine, theirs = (helix() + rng.normal(scale=0.3, size=(n, COUNT, 3)) for n in (300, 200))
@@ -173,6 +175,7 @@ def test_what_moves_in_one_alone_is_named(tmp_path):
     assert found.conclusions[0].startswith("It cannot be said that the same parts move: r = ")
 
 
+@pytest.mark.long
 def test_residues_are_matched_by_sequence_and_what_differs_is_reported(ours, tmp_path):
     other = SEQUENCE[:11] + "G" + SEQUENCE[12:]
     kept = [k for k in range(COUNT) if k not in (4, 5, 29)]
@@ -229,6 +232,7 @@ def test_one_structure_has_no_fluctuations(ours, tmp_path):
     assert found.conclusions[0].startswith("Ours moves towards theirs: ")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("frames", "scale", "words"),
     [

@@ -151,6 +151,7 @@ def stereo_of(smiles, positions):
     return Chem.MolToSmiles(Chem.RemoveHs(molecule))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("smiles", CHIRAL)
 def test_starts_and_conformers_keep_handedness_and_double_bonds(smiles):
     made, expected = drawn(smiles), Chem.CanonSmiles(smiles)

@@ -14,6 +14,7 @@ from pliant.convert import convert
 import pliant
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["", "ensemble.pliant"])
 def test_all_frames_are_converted(ensemble, tmp_path, name):
     done = convert(ensemble / name, tmp_path / "all.trr")

@@ -122,6 +122,7 @@ def test_the_time_is_over_again_and_again(tmp_path, whole):
     assert same_bytes(folder, whole)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", [signal.SIGUSR1, signal.SIGTERM])
 def test_a_signal_to_the_ensemble_has_its_shards_committed(tmp_path, whole, how):
     folder = tmp_path / "many"

@@ -42,6 +42,7 @@ def expect_all(folder, whole, count=32):
     assert same_bits(folder, whole)
 
 
+@pytest.mark.long
 def test_workers_killed_at_random(tmp_path, whole):
     folder = tmp_path / "many"
     client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 2)

@@ -116,6 +116,7 @@ def test_a_plan_binds_before_its_first_shard(tmp_path):
     assert call("ensemble", *words).returncode == 0
 
 
+@pytest.mark.long
 def test_a_job_array_of_slurm_needs_no_dask(ensemble, tmp_path):
     folder, script = tmp_path / "many", tmp_path / "jobs.sh"
     ended = call("ensemble", PEPTIDE, "-o", folder, *WORDS, "--slurm-script", script)

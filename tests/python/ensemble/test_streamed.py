@@ -23,6 +23,8 @@ from pliant.ensemble.flexibility import flexibility
 from pliant.ensemble.plan import load_plan
 from pliant.ensemble.sums import Task, sums_of, superposed
 
+pytestmark = pytest.mark.long
+
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory, there):

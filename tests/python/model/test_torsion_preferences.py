@@ -119,6 +119,7 @@ def outliers(structure, x):
     return float((density < 1.0).mean())
 
 
+@pytest.mark.long
 def test_frames_keep_rotamers_and_the_plot(closed, model):
     free = pliant.build_model(closed, free_torsions=True)
     assert free.framework.torsion_preferences is None

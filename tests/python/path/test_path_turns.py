@@ -56,6 +56,7 @@ def test_a_turn_of_150_degrees_is_reached(helices, back):
     assert np.sqrt(np.mean(moves**2, axis=1)).max() < 1.0
 
 
+@pytest.mark.long
 def test_a_walk_shows_one_way_at_a_time(helices):
     """Until the way with turns has come nearer, the straight one is the best there is."""
     options = pliant.path.PathOptions()
@@ -70,6 +71,7 @@ def test_a_walk_shows_one_way_at_a_time(helices):
     assert np.array_equal(walk.positions(), pliant.path(*helices).positions)
 
 
+@pytest.mark.long
 def test_the_command_says_that_a_piece_turned(helices, tmp_path, capsys):
     words = [*map(str, helices), "-o", str(tmp_path / "p.h5md")]
     assert main(words) == 0

@@ -72,6 +72,7 @@ def test_it_is_said_who_writes(written):
     assert pliant._core.writer_of(path) == ""
 
 
+@pytest.mark.long
 def test_what_stays_unreadable_is_being_written(tmp_path):
     path = tmp_path / "half.h5md"
     structure = pliant.read_text("3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n", "water.xyz")

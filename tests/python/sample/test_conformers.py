@@ -285,6 +285,7 @@ def heavy_conformers(made, positions):
     return Chem.RemoveHs(copy)
 
 
+@pytest.mark.long
 def test_large_rings_find_the_conformers_of_rdkit(tmp_path):
     """Minima of MMFF within 10 kcal/mol. Bent at random, 1000 frames reached 0.57 of them."""
     made, path = molecule("O=C1CCCCCCCCCCCCCCO1", tmp_path)

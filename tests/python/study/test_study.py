@@ -63,6 +63,7 @@ def test_what_is_flexible_and_what_was_left_out_is_said(studied):
     assert said["MD starts"] == "not looked at: --no-check"
 
 
+@pytest.mark.long
 def test_the_command_prints_a_line_an_answer(studied, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main([str(PEPTIDE), "--frames", "8", "--no-check"]) == 0
@@ -76,6 +77,7 @@ def test_the_command_prints_a_line_an_answer(studied, tmp_path, capsys, monkeypa
     )
 
 
+@pytest.mark.long
 def test_a_path_to_another_structure_is_part_of_it(studied, tmp_path, capsys):
     model = studied.sampled.ensemble
     reader = pliant.H5mdReader(model)

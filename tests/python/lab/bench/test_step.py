@@ -11,6 +11,7 @@ from pliant.lab.bench.command import main
 import pliant
 
 
+@pytest.mark.long
 def test_local_techniques_look_at_as_many_bars_in_any_size():
     found = stepping.steps_of_pushes(
         (1000, 10_000), techniques=("blocks", "bfs_cycle"), steps=200, rounds=2

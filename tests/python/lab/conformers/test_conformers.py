@@ -227,6 +227,7 @@ def test_shares_differences_and_equal_times():
     assert first.within == pytest.approx(-0.5)
 
 
+@pytest.mark.long
 def test_the_command_measures_draws_and_writes(library, tmp_path, capsys):
     table, picture = tmp_path / "c.csv", tmp_path / "c.png"
     words = ["conformers", "--data", str(library), "--counts", "3,6", "--csv", str(table)]

@@ -118,6 +118,7 @@ def test_shares_are_counted_over_directions_and_by_distance(monkeypatch):
     assert shares[0].error == 0.0, "each protein has one direction of two"
 
 
+@pytest.mark.long
 def test_the_command_measures_draws_and_writes(pairs, tmp_path, capsys):
     table, picture = tmp_path / "coverage.csv", tmp_path / "coverage.png"
     words = ["coverage", "--data", str(pairs / "kinase"), "--ensembles", "reach,ANM"]

@@ -119,6 +119,7 @@ def test_t1_exactly(size):
         assert rows["projections"].tolist() == [size - 1] * len(rows)
 
 
+@pytest.mark.long
 def test_t1_over_ten_thousand_trees():
     """Of 2 to 10^4 joints, pushed by 0.001 to 100 Angstrom, made whole to 1e-9."""
     draws = np.random.default_rng(0)

@@ -56,6 +56,7 @@ def test_every_question_has_its_place():
     assert sorted(places) == [1, 2, 3, 4, 5, 6]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["sizes", "n_cycles"])
 def test_a_page_comes_out_the_same_twice(name, tmp_path):
     one, two = (page(name).answer(tmp_path, 3, True) for _ in range(2))

@@ -124,6 +124,7 @@ def test_the_sweep_has_the_axes_that_were_asked_for():
         assert len({getattr(cell, name) for cell in cells}) == count
 
 
+@pytest.mark.long
 def test_two_sweeps_are_the_same(tmp_path, monkeypatch):
     start = dataclasses.replace(Settings(seed=3), classes=("tree",))
     monkeypatch.setattr("pliant.lab.experiment.sweep.TOLERANCES", (1e-1, 1e-3))

@@ -108,6 +108,7 @@ def test_overlaps_begin_at_a_tenth_of_an_angstrom():
         assert found.worst_overlap == pytest.approx(3.2 - distance)
 
 
+@pytest.mark.long
 def test_a_turned_peptide_is_found_by_its_angle(model, start):
     """All after a peptide bond turned about it by 6 degrees: omega alone changes."""
     c, n = atom(model, 50, "C"), atom(model, 51, "N")

@@ -24,6 +24,8 @@ from pliant.lab.validity.references import b_factors_of, models_of, trajectory_o
 from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity  # noqa: E402
 from pliant.lab.validity.subject import Subject  # noqa: E402
 
+pytestmark = pytest.mark.long
+
 
 def rows_of(found):
     return {(row.system, row.figure): row for row in found.rows}
