@@ -16,8 +16,6 @@ from pliant.analyse.parts import Units
 from pliant.analysis.domains import distance_fluctuations
 from scipy.spatial import cKDTree
 
-pytestmark = pytest.mark.long
-
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")
 
 ATOMS = 9632
@@ -82,6 +80,7 @@ def test_two_frames_of_many_atoms(tmp_path):
     assert float(ended.stdout) < 100
 
 
+@pytest.mark.long
 @pytest.mark.skipif(sys.platform != "linux", reason="asks /proc")
 def test_many_frames(tmp_path):
     """Their positions are 18 MB as the analyses want them, each of which would hold them."""

@@ -14,7 +14,7 @@ from test_shapes import shell
 
 import pliant
 
-pytestmark = pytest.mark.long
+LONG = pytest.mark.long
 
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")
 FOLDER = DATA.PDB_small.rsplit("/", 1)[0]
@@ -25,7 +25,7 @@ FOLDER = DATA.PDB_small.rsplit("/", 1)[0]
 KVFINDER = {"1hvr.pdb": [643], "adk_open.pdb": [146], "1a28.pdb.gz": [564, 564, 487, 332]}
 
 
-@pytest.mark.parametrize("radius", [5.0, 6.0, 8.0, 10.0])
+@pytest.mark.parametrize("radius", [5.0, 6.0, *(pytest.param(r, marks=LONG) for r in (8.0, 10.0))])
 def test_room_among_the_atoms_of_a_sphere_is_that_of_the_sphere(radius):
     atoms, every = shell(radius, 1500) + 0.3, np.arange(1500)
     expected = 4 / 3 * np.pi * (radius - 1.7) ** 3
@@ -99,6 +99,7 @@ def protease(tmp_path_factory):
     return folder
 
 
+@pytest.mark.long
 def test_the_report_measures_the_site_of_a_ligand(protease, capsys):
     folder = protease / "out"
     with open(folder / "pockets.csv", encoding="utf-8") as file:

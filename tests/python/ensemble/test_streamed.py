@@ -23,8 +23,6 @@ from pliant.ensemble.flexibility import flexibility
 from pliant.ensemble.plan import load_plan
 from pliant.ensemble.sums import Task, sums_of, superposed
 
-pytestmark = pytest.mark.long
-
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory, there):
@@ -84,6 +82,7 @@ def test_flexibility_is_that_of_all_frames(many, oracle, workers):
     assert found.correlation == pytest.approx(np.corrcoef(*found.halves)[0, 1])
 
 
+@pytest.mark.long
 def test_any_number_of_processes_gives_the_same_bits(many):
     one, three = flexibility(many, 1), flexibility(many, 3)
     for name in ("rmsf", "error", "halves", "variances", "modes"):
@@ -181,6 +180,7 @@ def peak_memory(tasks):
     return found
 
 
+@pytest.mark.long
 def test_memory_does_not_grow_with_frames(many):
     trace = np.arange(20)
     reference = frames_of(shards_of(many)[:1])[0][0, trace]

@@ -24,8 +24,6 @@ from pliant.lab.validity.references import b_factors_of, models_of, trajectory_o
 from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity  # noqa: E402
 from pliant.lab.validity.subject import Subject  # noqa: E402
 
-pytestmark = pytest.mark.long
-
 
 def rows_of(found):
     return {(row.system, row.figure): row for row in found.rows}
@@ -57,6 +55,7 @@ def test_the_kinase_opens_along_its_modes(packages):
     assert exact[1].anm > 100 and exact[3].anm > 100
 
 
+@pytest.mark.long
 def test_residues_without_flexible_ends_are_superposed_alone_as_well(packages, monkeypatch):
     case = replace(FLUCTUATIONS["adk_md"], residues=100)
     monkeypatch.setitem(FLUCTUATIONS, "adk_md", case)
@@ -83,6 +82,7 @@ def test_frames_clash_no_more_than_the_start(packages, monkeypatch, name):
     assert row.note.endswith(" in 12 frames")
 
 
+@pytest.mark.long
 def test_turned_frames_are_exact_and_come_nearer_to_the_other_state(packages, monkeypatch):
     monkeypatch.setattr(ladder, "STATES", {name: STATES[name] for name in ("AdK", "RuvB")})
     found = ladder.validity(["turns"], frames=12)
@@ -249,6 +249,7 @@ def test_the_command_writes_csv_and_a_picture(packages, capsys, tmp_path):
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.long
 def test_a_frame_that_is_not_exact_ends_with_1(packages, capsys, monkeypatch):
     from pliant.lab.validity import subject
 
