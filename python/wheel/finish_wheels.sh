@@ -41,9 +41,17 @@ check_size() {
 for one in "${@:2}"; do
   place "$one"
 done
+# In a process of its own.
+finish() {
+  .venv/bin/python python/wheel/check_wheel.py "$1"
+  [[ $1 != *-abi3-* ]] || .venv/bin/python -m abi3audit --strict --verbose "$1"
+  .venv/bin/python python/wheel/pack_tight.py "$1"
+  check_size "$1"
+}
+
+running=()
 for one in "$wheels"/*"$(target_field "$target" platform)".whl; do
-  .venv/bin/python python/wheel/check_wheel.py "$one"
-  [[ $one != *-abi3-* ]] || .venv/bin/python -m abi3audit --strict --verbose "$one"
-  .venv/bin/python python/wheel/pack_tight.py "$one"
-  check_size "$one"
+  finish "$one" &
+  running+=($!)
 done
+for one in "${running[@]}"; do wait "$one"; done

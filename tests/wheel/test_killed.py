@@ -15,8 +15,8 @@ from h5md_contents import assert_same_runs
 
 PEPTIDE = (ROOT / "data/molecules/peptide_20.pdb").read_bytes()
 NAME = "größe 名"
-STEPS = 30000
-LONG_RUN = ["--steps", STEPS, "--every", 50]
+EVERY = 50
+ENDLESS = 10**9  # steps: no run reaches them before it is killed, however fast the machine
 
 
 @pytest.fixture(params=EMULATED)
@@ -59,8 +59,8 @@ def frames_in(path):
 
 
 def kill_after(process, file, frames, environment):
-    """When so many are committed; fails where the process ended by itself before. Wine's server
-    learns of the end a little later, and holds the locks until then."""
+    """When so many are committed. Wine's server learns of the end a little later, and holds the
+    locks until then."""
     while frames_in(file) < frames:
         assert process.poll() is None
         time.sleep(0.01)
@@ -72,15 +72,16 @@ def kill_after(process, file, frames, environment):
 
 def test_a_run_killed_three_times_and_continued_is_that_of_one(theirs, tmp_path):
     (tmp_path / "m.pdb").write_bytes(PEPTIDE)
-    theirs.succeed("run", "m.pdb", *LONG_RUN, "-o", "whole.h5md", cwd=tmp_path)
-    whole = tmp_path / "whole.h5md"
     part = tmp_path / "part.h5md"
-    words = ["run", "m.pdb", *LONG_RUN, "-o", "part.h5md"]
-    for sixth in (1, 2, 3):
+    words = ["run", "m.pdb", "--steps", ENDLESS, "--every", EVERY, "-o", "part.h5md"]
+    for _ in range(3):
         process = theirs.start(
             *words, cwd=tmp_path, start_new_session=True, stdout=subprocess.DEVNULL
         )
-        kill_after(process, part, sixth * frames_in(whole) // 6, theirs.environment)
-        words = ["run", "--continue", "part.h5md", "--steps", STEPS]
-    theirs.succeed(*words, cwd=tmp_path)
-    assert_same_runs(whole, part)
+        kill_after(process, part, frames_in(part) + 100, theirs.environment)
+        words = ["run", "--continue", "part.h5md", "--steps", ENDLESS]
+    steps = EVERY * (frames_in(part) + 100)
+    theirs.succeed("run", "--continue", "part.h5md", "--steps", steps, cwd=tmp_path)
+    whole = ["run", "m.pdb", "--steps", steps, "--every", EVERY, "-o", "whole.h5md"]
+    theirs.succeed(*whole, cwd=tmp_path)
+    assert_same_runs(tmp_path / "whole.h5md", part)
