@@ -355,16 +355,6 @@ def test_preferred_torsions_are_staggered(tmp_path):
     assert min(counts[1], counts[5]) > 0
 
 
-def test_proteins_go_along_modes(tmp_path):
-    """`auto` looks at what the file is."""
-    import MDAnalysisTests.datafiles as files
-
-    with pytest.warns(pliant.PliantWarning):
-        kinase = pliant.read(files.PDB_small)
-    by_default = pliant.sample(kinase, 1).positions
-    assert np.array_equal(by_default, pliant.sample(kinase, 1, sampler="modes").positions)
-
-
 def test_what_cannot_turn_is_reported(tmp_path):
     _, path = molecule("c1ccccc1", tmp_path)
     with pytest.warns(pliant.PliantWarning, match="all conformers are the same"):

@@ -193,3 +193,13 @@ def test_tables_have_what_options_name():
     assert [row.name for row in pliant.networks()] == ["shared", "anm", "pfanm", "gnm"]
     assert [row.name for row in pliant.samplers()] == [
         "modes", "dilute", "turns", "reach", "pocket", "walk", "torsions"]  # fmt: skip  # a row
+
+
+def test_proteins_go_along_modes():
+    """`auto` looks at what the file is."""
+    import MDAnalysisTests.datafiles as files
+
+    with pytest.warns(pliant.PliantWarning):
+        kinase = pliant.read(files.PDB_small)
+    by_default = pliant.sample(kinase, 1).positions
+    assert np.array_equal(by_default, pliant.sample(kinase, 1, sampler="modes").positions)
