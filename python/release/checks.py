@@ -22,6 +22,8 @@ DONE = "build/done"  # ./dev notes there which command passed with the files of 
 UNREAD = {
     "wheel--all": (
         ".github",
+        "CMakePresets.json",
+        "CONTRIBUTING.md",
         "docs",
         "python/release",
         *(f"tests/{name}" for name in ("bench", "cli", "corpus", "docs", "examples", "fuzz")),
