@@ -25,7 +25,7 @@ using pliant::bench::SharedMolecule;
 std::vector<fs::path> files_to_time(int count, char** arguments) {
   if (count > 1) return {arguments + 1, arguments + count};
   std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(molecules_folder()))
+  for (const auto& entry : fs::directory_iterator(pliant::molecules_folder()))
     found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;

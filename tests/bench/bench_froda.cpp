@@ -50,7 +50,7 @@ struct Frames {
   void resolve_in_lanes(const LaneKernels& kernels) {
     std::vector<FrodaJob> jobs;
     for (std::size_t k = 0; k < frame_count; ++k)
-      jobs.push_back({model.positions, targets[k], out[k]});
+      jobs.push_back({{model.positions, targets[k]}, out[k]});
     FrodaLanes(model.framework, *plan, kernels).resolve(jobs, options);
   }
 };
