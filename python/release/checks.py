@@ -120,13 +120,18 @@ def promises(project: Project) -> Result:
     return _of(found, f"{count} lines, as listed for {now}")
 
 
+def noted(project: Project, name: str) -> str:
+    """The commit that a command of ./dev passed with last; empty if there is none."""
+    commit = project.text(f"{DONE}/{name}").strip()
+    return project.git("rev-parse", "--verify", f"{commit}^{{commit}}")
+
+
 def holds(project: Project, name: str) -> bool:
     """Whether a command of ./dev passed with all that it reads of this commit."""
-    noted = project.git(
-        "rev-parse", "--verify", project.text(f"{DONE}/{name}").strip() + "^{commit}"
-    )
+    commit = noted(project, name)
     unread = [f":(exclude){path}" for path in UNREAD.get(name, ())]
-    return bool(noted) and not project.git("diff", "--name-only", noted, "HEAD", "--", ".", *unread)
+    changed = project.git("diff", "--name-only", commit, "HEAD", "--", ".", *unread)
+    return bool(commit) and not changed
 
 
 def done(project: Project, *names: str) -> str:
@@ -138,8 +143,8 @@ def _spoken(name: str) -> str:
     return name.replace("--", " --")
 
 
-def _noted(project: Project, name: str) -> str:
-    commit = project.text(f"{DONE}/{name}").strip()
+def _passed_with(project: Project, name: str) -> str:
+    commit = noted(project, name)
     if commit == project.commit():
         return "this commit"
     return f"{commit[:12]}, and what it reads is the same"
@@ -149,12 +154,10 @@ def _made_by(project: Project, command: str, *instead: str) -> Result:
     """Whether a command of ./dev passes; it is run unless it has, with all that it reads."""
     name = done(project, *instead, command)
     if name:
-        return Result(
-            True, f"./dev {name.replace('--', ' --')} passed with {_noted(project, name)}"
-        )
-    words = command.replace("--", " --").split()
-    code = subprocess.run(["./dev", *words], cwd=project.root, check=False).returncode
-    return Result(code == 0, f"./dev {' '.join(words)} {'passed' if code == 0 else 'failed'}")
+        return Result(True, f"./dev {_spoken(name)} passed with {_passed_with(project, name)}")
+    words = _spoken(command)
+    code = subprocess.run(["./dev", *words.split()], cwd=project.root, check=False).returncode
+    return Result(code == 0, f"./dev {words} {'passed' if code == 0 else 'failed'}")
 
 
 def tests(project: Project) -> Result:

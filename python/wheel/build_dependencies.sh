@@ -123,9 +123,4 @@ pugixml_source "$common/pugixml"
 need_sources
 (($#)) || set -- "$(this_target)"
 # All at once: CMake asks the compiler one thing after the other.
-running=()
-for target in "$@"; do
-  (build_target "$target") &
-  running+=($!)
-done
-for one in "${running[@]}"; do wait "$one"; done
+at_once build_target "$@"

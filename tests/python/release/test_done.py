@@ -10,10 +10,15 @@ from small_project import commit
 ROOT = Path(__file__).parents[3]
 
 
-def test_a_run_counts_for_the_commit_it_was_made_with(small):
-    folder = small.root / checks.DONE
+def note(project, name, text):
+    """Writes what ./dev writes once a command has passed."""
+    folder = project.root / checks.DONE
     folder.mkdir(parents=True)
-    (folder / "test--all").write_text(small.commit() + "\n")
+    (folder / name).write_text(text)
+
+
+def test_a_run_counts_for_the_commit_it_was_made_with(small):
+    note(small, "test--all", small.commit() + "\n")
     assert checks.done(small, "test", "test--all") == "test--all"
     assert checks.tests(small).passed
     commit(small.root)
@@ -24,10 +29,8 @@ def test_a_run_counts_for_the_commit_it_was_made_with(small):
 
 
 def test_a_run_counts_while_what_it_reads_is_the_same(small):
-    folder = small.root / checks.DONE
-    folder.mkdir(parents=True)
     first = small.commit()
-    (folder / "wheel--all").write_text(first + "\n")
+    note(small, "wheel--all", first + "\n")
     (small.root / "docs" / "page.md").write_text("another word")
     commit(small.root)
     said = checks._made_by(small, "wheel--all")
@@ -40,9 +43,7 @@ def test_a_run_counts_while_what_it_reads_is_the_same(small):
 
 @pytest.mark.parametrize("noted", ["", "no commit\n", "0" * 40 + "\n"])
 def test_a_note_that_names_no_commit_counts_for_nothing(small, noted):
-    folder = small.root / checks.DONE
-    folder.mkdir(parents=True)
-    (folder / "test").write_text(noted)
+    note(small, "test", noted)
     assert checks.done(small, "test") == ""
 
 

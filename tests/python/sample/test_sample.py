@@ -197,9 +197,7 @@ def test_tables_have_what_options_name():
 
 def test_proteins_go_along_modes():
     """`auto` looks at what the file is."""
-    import MDAnalysisTests.datafiles as files
-
     with pytest.warns(pliant.PliantWarning):
-        kinase = pliant.read(files.PDB_small)
+        kinase = pliant.read(MDA.PDB_small)
     by_default = pliant.sample(kinase, 1).positions
     assert np.array_equal(by_default, pliant.sample(kinase, 1, sampler="modes").positions)
