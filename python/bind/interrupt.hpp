@@ -10,16 +10,20 @@
 
 namespace pliant::python {
 
-/// Checks for Python's signals at most ten times a second. An exception of a handler
-/// (KeyboardInterrupt) is kept until the computation has ended in good order.
+/// Checks for Python's signals at most ten times a second, if no other interval is given. An
+/// exception of a handler (KeyboardInterrupt) is kept until the computation has ended in good
+/// order.
 class InterruptWatch {
  public:
   InterruptWatch() = default;
 
-  /// Shows a bar in notebooks and on terminals, for `total` items called `what`. Made and destroyed
-  /// with the GIL held.
-  InterruptWatch(const char* what, std::int64_t total)
-      : bar_(nb::module_::import_("pliant._progress").attr("begin")(what, total)) {}
+  /// Shows a bar in notebooks and on terminals, for `total` items called `what`, and looks as often
+  /// as pliant._progress says. Made and destroyed with the GIL held.
+  InterruptWatch(const char* what, std::int64_t total) {
+    const nb::module_ progress = nb::module_::import_("pliant._progress");
+    interval_ = Seconds(nb::cast<double>(progress.attr("INTERVAL")));
+    bar_ = progress.attr("begin")(what, total);
+  }
 
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
@@ -39,7 +43,7 @@ class InterruptWatch {
   bool operator()(std::int64_t done = 0) {
     if (raised_) return true;
     const Clock::time_point now = Clock::now();
-    if (now - last_ < std::chrono::milliseconds(100)) return false;
+    if (now - last_ < interval_) return false;
     last_ = now;
     const nb::gil_scoped_acquire gil;
     try {
@@ -56,6 +60,8 @@ class InterruptWatch {
 
  private:
   using Clock = std::chrono::steady_clock;
+  using Seconds = std::chrono::duration<double>;
+  Seconds interval_{0.1};
   Clock::time_point last_ = Clock::now();
   std::exception_ptr raised_;
   nb::object bar_;

@@ -14,6 +14,7 @@ from types import TracebackType
 from typing import Any, Protocol
 
 DELAY = 2.0  #: seconds that a call takes before its bar is shown
+INTERVAL = 0.1  #: seconds from one look of a call at its bar, and at Ctrl-C, to the next
 WIDTH = 24  #: characters of a bar of our own
 
 _hidden = False
