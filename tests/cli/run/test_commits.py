@@ -51,7 +51,7 @@ def whole(tmp_path_factory):
 def log(tmp_path_factory):
     """What a run has left behind that was killed when some walkers were done. Not to be changed."""
     folder = tmp_path_factory.mktemp("log")
-    assert stopped(folder, 8 * STEPS + 700) == -signal.SIGKILL
+    assert stopped(folder, 8 * STEPS + 100) == -signal.SIGKILL
     done = [one for one in commits_in(folder / "o.log") if one.is_done]
     assert 0 < len(done) < WALKERS
     return folder / "o.log"
