@@ -121,8 +121,10 @@ int command_sample(const Arguments& arguments) {
   CommandLine line(
       "pliant sample",
       "Makes an ensemble: independent frames around the structure in the file, each with\n"
-      "exact bonds and angles, with its contacts held and no overlaps. How far the frames go\n"
-      "(--amplitude) is an input, not a prediction, and how often a shape occurs is not known.\n"
+      "exact bonds and angles and no overlaps. Contacts are held; of a protein of more than 100\n"
+      "residues, half of the frames turn domains, and let contacts between them go. How far the\n"
+      "frames go (--amplitude) is an input, not a prediction, and how often a shape occurs is\n"
+      "not known.\n"
       "For a small molecule the frames are conformers, with new torsions and flipped rings.");
   line.set_footer(
       "Examples:\n"

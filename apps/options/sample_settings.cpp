@@ -65,7 +65,8 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
 void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
-                "H5MD trajectory, or a PDB file (.pdb) or SDF file (.sdf) of all frames\n"
+                "H5MD trajectory, or a PDB file (.pdb) of all frames, or an SDF file (.sdf): of\n"
+                "ranked conformers, or with --sampler torsions of all frames\n"
                 "(default: INPUT's name.h5md)");
   line.add_text("--topology", settings.topology, "FILE",
                 "PDB file of names and bonds to write, or none (default: OUTPUT's name.pdb)");

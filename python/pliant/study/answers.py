@@ -67,7 +67,7 @@ def _flexible(study: Study) -> str:
     doubt = "" if found.converged else "; not converged"
     mean = f"{found.rmsf[among].mean():.2f} Å on average"
     if study.sampled.facts["amplitude_asked"] > 0:  # none of conformers
-        mean += ", which is an input"
+        mean += "; the size follows from the amplitude, an input"
     return f"{named} Å ({mean}){doubt}"
 
 

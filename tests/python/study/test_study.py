@@ -59,7 +59,7 @@ def test_what_is_flexible_and_what_was_left_out_is_said(studied):
     assert said["molecule"].startswith("20 residues")
     flexibility = studied.report.analysis[pliant.analyse.parts.UnitFlexibility].found
     assert f"{flexibility.rmsf.max():.1f} ± " in said["flexible"].split(",")[0]
-    assert "which is an input" in said["flexible"]
+    assert "the size follows from the amplitude, an input" in said["flexible"]
     assert said["MD starts"] == "not looked at: --no-check"
 
 
