@@ -1,5 +1,5 @@
 # Pliant with all that its commands need: docker build -t pliant .
-#   docker run --rm -v "$PWD:/data" pliant sample protein.pdb -o ensemble.h5md
+#   docker run --rm --user "$(id -u):$(id -g)" -v "$PWD:/data" pliant sample protein.pdb -o ensemble.h5md
 FROM debian:12 AS build
 SHELL ["/bin/bash", "-o", "pipefail", "-c"]
 # hadolint ignore=DL3008

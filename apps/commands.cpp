@@ -57,7 +57,7 @@ constexpr Command commands[] = {
      command_info},
     {files, "contacts", "list what holds a molecule besides its bonds, such as hydrogen bonds",
      command_contacts},
-    {files, "convert", "write a trajectory as DCD, XTC, TRR, XYZ or PDB", nullptr},
+    {files, "convert", "write a trajectory as DCD, XTC, PDB, SDF, Zarr ...", nullptr},
     {files, "recover", "copy whatever can be read of a damaged trajectory", nullptr},
 
     {solvers, "techniques", "list techniques, weightings and perturbations", command_techniques},

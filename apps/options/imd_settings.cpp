@@ -37,7 +37,7 @@ ImdOptions options_of(const ImdSettings& settings, const RunOptions& run, const 
 }  // namespace
 
 void add_imd_options(CommandLine& line, ImdSettings& settings) {
-  line.start_group("Live (see src/pliant/stream/README.md)");
+  line.start_group("Live, over IMD");
   line.add_optional_integer("--imd", settings.is_asked, settings.port, 0, 65535, "PORT",
                             "let VMD, MDAnalysis or pliant watch follow the run and pull;\n"
                             "0: any free port, which is printed");

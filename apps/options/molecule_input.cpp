@@ -87,10 +87,11 @@ std::string bars_of(const MoleculeOptions& options) {
   return options.kind.name.empty() ? "bonds" : options.kind.name;
 }
 
-void add_file_options(CommandLine& line, MoleculeOptions& options) {
+namespace {
+
+void add_options_of_files(CommandLine& line, MoleculeOptions& options, const char* formats_taken) {
   line.start_group("Molecule");
-  line.add_required_text("input", options.file, "FILE",
-                         "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz), or a graph (.xml)");
+  line.add_required_text("input", options.file, "FILE", formats_taken);
   line.add_choice("--format", options.format, names_of(formats()),
                   "pdb, mmcif, xyz or sdf (default: by extension or content)");
   line.add_integer("--frame", options.model, 1, most_models,
@@ -105,8 +106,15 @@ void add_file_options(CommandLine& line, MoleculeOptions& options) {
                     "do not guess bonds from distances");
 }
 
+}  // namespace
+
+void add_file_options(CommandLine& line, MoleculeOptions& options) {
+  add_options_of_files(line, options, "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz)");
+}
+
 void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
-  add_file_options(line, options);
+  add_options_of_files(line, options,
+                       "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz), or a graph (.xml)");
   line.add_integer_or_choice("--model", options.model, 1, most_models, options.kind.name,
                              names_of(models()),
                              "what holds it together: bonds, angles, molecule (no overlaps) or "

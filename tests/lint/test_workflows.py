@@ -99,6 +99,24 @@ def test_a_system_that_fails_keeps_no_other_from_its_users():
     assert publish["permissions"] == {"id-token": "write"}
 
 
+def test_nothing_of_a_wrong_version_is_made_or_published():
+    jobs = read(GITHUB / "workflows" / "wheels.yml")["jobs"]
+    assert "needs.version.result == 'success'" in jobs["publish"]["if"]
+    assert "version" in jobs["make"]["needs"]
+    assert "version" in jobs["sources"]["needs"]
+    assert any("release --quick" in step.get("run", "") for step in jobs["version"]["steps"])
+
+
+@EACH_WORKFLOW
+def test_git_reads_what_another_user_checked_out(path):
+    """In a container steps are root's, and the checkout is not: git would refuse it."""
+    for job in read(path)["jobs"].values():
+        runs = [step.get("run", "") for step in job["steps"]]
+        of_dev = [k for k, run in enumerate(runs) if "./dev" in run]
+        if "container" in job and of_dev:
+            assert any("safe.directory" in run for run in runs[: of_dev[0]])
+
+
 def test_only_what_was_tried_is_published():
     flow = read(GITHUB / "workflows" / "wheels.yml")
     taken = flow["jobs"]["publish"]["steps"][0]["with"]["pattern"]

@@ -89,7 +89,8 @@ def analyse(
     Parameters
     ----------
     path : str or path, SampledEnsemble, RunResult, MolecularPath, Trajectory, Universe, ...
-        H5MD file of ``pliant run``, or any trajectory that MDAnalysis reads; or what has frames.
+        H5MD file of ``pliant run``, ``sample`` or ``path``, or any trajectory that MDAnalysis
+        reads; or what has frames.
     output : str or path, optional
         Folder for figures (PNG), tables (CSV) and report.html; files of an earlier report are
         replaced.
@@ -124,7 +125,7 @@ def analyse(
     ImportError
         MDAnalysis or matplotlib is not installed; the message says how to install it.
     InputError
-        The file cannot be used, or there is one frame only; the message says why.
+        The file cannot be used; the message says why.
     OptionError
         The choice of atoms or frames is wrong or empty.
     """

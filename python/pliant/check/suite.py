@@ -112,10 +112,10 @@ def check(
     ImportError
         OpenMM, or matplotlib for a picture, is not installed; the message says how to install it.
     InputError
-        The file is not a trajectory of Pliant, or `force_field` is true and there is no start
+        The file is missing or not a trajectory of Pliant, or `force_field` is true and there is no start
         structure or no protein; the message says what is missing.
     OSError
-        The file cannot be read, or the picture cannot be written.
+        The picture cannot be written.
     """
     need("pliant.check", "openmm")
     if picture is not None:

@@ -17,7 +17,7 @@ depend only on the input, the options, the seed and the numbers of these walkers
 where or how often it was made. Finished shards are kept: after a crash, a lost worker or Ctrl-C,
 the same command goes on from there.
 
-Options that are not listed here are those of pliant run, or with --frames of pliant sample."""
+Options that --help-all does not list are those of pliant run, or with --frames of pliant sample."""
 
 EPILOG = """\
 examples:

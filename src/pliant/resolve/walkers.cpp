@@ -133,6 +133,8 @@ WalkerResolver::WalkerResolver(const Framework& framework, const Technique& tech
 WalkerResolver::~WalkerResolver() = default;
 WalkerResolver::WalkerResolver(WalkerResolver&&) noexcept = default;
 
+bool WalkerResolver::may_use_lanes() const { return plan_->uses_lanes; }
+
 std::string_view WalkerResolver::level() {
   return plan_->prepare_lanes() ? plan_->kernels.level : std::string_view();
 }

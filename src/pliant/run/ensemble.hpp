@@ -23,7 +23,9 @@ struct Shard {
 struct EnsembleOptions {
   RunOptions run = {};  ///< of each walker; its resolve.walker, on_push and log are ignored
   Shard shard = {};
-  int threads = 1;  ///< from 1; up to eight walkers step together on each. Changes no result.
+  /// From 1. Changes no result. Up to eight walkers step together on each, but one after another
+  /// where the framework has limits or sterics.
+  int threads = 1;
 };
 
 /// Throws OptionError naming the option, its value and its range.

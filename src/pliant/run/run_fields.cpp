@@ -30,7 +30,7 @@ const RunField table[] = {
      at<&RunOptions::steps>},
     {{.name = "every",
       .group = run_group,
-      .summary = "record every N-th step, and step 0",
+      .summary = "record step 0, every N-th step and the last",
       .range = Range::positive},
      at<&RunOptions::every>},
     {{.name = "seed", .group = run_group, .summary = "seed of all random numbers"},

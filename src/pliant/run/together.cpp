@@ -37,7 +37,10 @@ std::vector<RunSummary> Together::run() {
     walker.showing.show_start(walker.walk, walker.walk.frame());
   }
   try {
-    while (step()) continue;
+    if (resolver_.may_use_lanes())
+      while (step()) continue;
+    else
+      for (Shown& walker : walkers_) run_one(walker);
   } catch (...) {
     for (Shown& walker : walkers_) walker.walk.take_back_push();
     throw;
@@ -46,6 +49,15 @@ std::vector<RunSummary> Together::run() {
   for (const Shown& walker : walkers_)
     summaries.push_back(walker.showing.with_observers(walker.walk.summary()));
   return summaries;
+}
+
+/// With contacts a step costs what the push reaches, as long as the resolver knows the step before:
+/// in turn with others each step would look at all joints.
+void Together::run_one(Shown& walker) {
+  while (!walker.is_over()) {
+    walker.walk.push();
+    finish(walker, walker.walk.resolve(resolver_.alone()));
+  }
 }
 
 /// False if all walkers are done.

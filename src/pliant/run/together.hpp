@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Walkers in step with each other, resolved together if their pushes are alike.
+// Walkers in step with each other, resolved together if their pushes are alike. Those that lanes
+// cannot take go one after another.
 #pragma once
 
 #include <vector>
@@ -25,6 +26,7 @@ class Together {
     bool is_over() const { return showing.is_over(walk); }
   };
 
+  void run_one(Shown& walker);
   bool step();
   void push();
   void part_alike();
