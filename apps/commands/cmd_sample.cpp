@@ -114,31 +114,33 @@ SampledSystem system_of(const PlannedSample& planned) {
           counted_kinds(model.contacts)};
 }
 
+constexpr const char* sample_purpose =
+    "Makes an ensemble: independent frames around the structure in the file, each with exact\n"
+    "bonds and angles and no overlaps. Contacts are held; of a protein of more than 100 residues\n"
+    "half of the frames turn domains, and let contacts between them go. How far the frames go\n"
+    "(--amplitude) is an input, not a prediction, and how often a shape occurs is not known.\n"
+    "For a small molecule the frames are conformers, with new torsions and flipped rings.";
+
+constexpr const char* sample_examples =
+    "Examples:\n"
+    "  pliant sample protein.pdb -o ensemble.h5md\n"
+    "  pliant sample protein.pdb --show                    on a page, moving\n"
+    "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
+    "  pliant sample protein.pdb --amplitude nmr_models.pdb\n"
+    "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
+    "  pliant sample drug.sdf --frames 200                 torsions, rings\n"
+    "  pliant sample library.sdf -o conformers.sdf         ranked: see pliant conformers\n"
+    "  pliant sample --continue ensemble.h5md              after Ctrl-C or a crash\n"
+    "  pliant sample --continue ensemble.h5md --frames 2000\n"
+    "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a frame could not be made and\n"
+    "is left out, 130 ended early by Ctrl-C, with all frames complete.";
+
 }  // namespace
 
 int command_sample(const Arguments& arguments) {
   if (asks_for_conformers(arguments)) return run_program("conformers", arguments);
-  CommandLine line(
-      "pliant sample",
-      "Makes an ensemble: independent frames around the structure in the file, each with\n"
-      "exact bonds and angles and no overlaps. Contacts are held; of a protein of more than 100\n"
-      "residues, half of the frames turn domains, and let contacts between them go. How far the\n"
-      "frames go (--amplitude) is an input, not a prediction, and how often a shape occurs is\n"
-      "not known.\n"
-      "For a small molecule the frames are conformers, with new torsions and flipped rings.");
-  line.set_footer(
-      "Examples:\n"
-      "  pliant sample protein.pdb -o ensemble.h5md\n"
-      "  pliant sample protein.pdb --show                    on a page, moving\n"
-      "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
-      "  pliant sample protein.pdb --amplitude nmr_models.pdb\n"
-      "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
-      "  pliant sample drug.sdf --frames 200                 torsions, rings\n"
-      "  pliant sample library.sdf -o conformers.sdf         ranked: see pliant conformers\n"
-      "  pliant sample --continue ensemble.h5md              after Ctrl-C or a crash\n"
-      "  pliant sample --continue ensemble.h5md --frames 2000\n"
-      "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a frame could not be made and\n"
-      "is left out, 130 ended early by Ctrl-C, with all frames complete.");
+  CommandLine line("pliant sample", sample_purpose);
+  line.set_footer(sample_examples);
   SampleSettings settings;
   add_sample_options(line, settings);
   line.set_common({"--frames", "--amplitude", "--continue", "--select", "--keep", "--output"});

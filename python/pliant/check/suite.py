@@ -112,8 +112,8 @@ def check(
     ImportError
         OpenMM, or matplotlib for a picture, is not installed; the message says how to install it.
     InputError
-        The file is missing or not a trajectory of Pliant, or `force_field` is true and there is no start
-        structure or no protein; the message says what is missing.
+        The file is missing or not a trajectory of Pliant, or `force_field` is true and there is no
+        start structure or no protein; the message says what is missing.
     OSError
         The picture cannot be written.
     """
