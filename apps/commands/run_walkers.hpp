@@ -9,7 +9,7 @@
 
 namespace pliant::app {
 
-/// Runs all walkers on `settings.threads` threads, up to eight together on each. The result of a
+/// Runs all walkers on `settings.threads` threads, up to eight at once on each. The result of a
 /// walker depends only on the seed and its number. A walker that cannot be recorded stops; the
 /// others continue. `last` receives the positions of a single walker. Throws the exception of the
 /// first walker that failed, after all have ended.

@@ -34,7 +34,7 @@ INCLUDED = {
 SAME = {
     "README.md": "index.md",
     "src/pliant/pliant.hpp": "api/cpp/index.md",
-    "tests/cli/help/pliant.help.txt": "help.md",
+    "tests/cli/help": "help.md",
 }
 PICTURES = ("data/pictures", "docs/pictures")
 

@@ -58,8 +58,8 @@ def run_ensemble(
     shard : (first, end)
         The walkers to run: first, first + 1, ..., end - 1.
     threads : int
-        Number of threads; up to eight walkers step together on each, one after another where the
-        framework has limits or sterics.
+        Number of threads; up to eight walkers step together on each if lanes can take them (bars
+        alone), else one follows the other.
     observers_of : callable, optional
         Called with a walker's number before it begins; returns its observers. Each frame that they
         see holds a copy of its positions. Recorders are closed when their walker ends. An

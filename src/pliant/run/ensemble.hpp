@@ -23,8 +23,8 @@ struct Shard {
 struct EnsembleOptions {
   RunOptions run = {};  ///< of each walker; its resolve.walker, on_push and log are ignored
   Shard shard = {};
-  /// From 1. Changes no result. Up to eight walkers step together on each, but one after another
-  /// where the framework has limits or sterics.
+  /// From 1. Changes no result. Up to eight walkers step together on each where lanes can take them
+  /// (bars alone, by a technique that has lanes); elsewhere one walker follows the other.
   int threads = 1;
 };
 

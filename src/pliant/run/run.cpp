@@ -39,7 +39,8 @@ RunSummary run(const Framework& framework, State& state, const RunOptions& optio
 std::vector<RunSummary> run_walkers(const Framework& framework, std::span<WalkerRun> walkers,
                                     const RunOptions& options) {
   check(options);
-  return Together(framework, walkers, options).run();
+  WalkerResolver resolver(framework, options.technique, options.resolve, options.lanes);
+  return Together(framework, resolver, walkers, options).run();
 }
 
 }  // namespace pliant

@@ -21,7 +21,7 @@ RunSummary run(const Framework& framework, State& state, const RunOptions& optio
                const std::vector<Observer>& observers);
 
 /// Runs walkers in step with each other, so that those whose pushes moved all joints are resolved
-/// together (WalkerResolver); one after another where the framework has limits or sterics. Each walker has the result of run() alone, bit by bit; the seconds of
+/// together (WalkerResolver). Each walker has the result of run() alone, bit by bit; the seconds of
 /// its summary are its share. A walker that is asked to stop stops alone. Throws as run(); each
 /// walker then ends with its last whole step.
 std::vector<RunSummary> run_walkers(const Framework& framework, std::span<WalkerRun> walkers,

@@ -16,9 +16,9 @@ std::optional<Joint> root_of_whole_resolve(const Walk& walk) {
 
 }  // namespace
 
-Together::Together(const Framework& framework, std::span<WalkerRun> walkers,
-                   const RunOptions& options)
-    : resolver_(framework, options.technique, options.resolve, options.lanes) {
+Together::Together(const Framework& framework, WalkerResolver& resolver,
+                   std::span<WalkerRun> walkers, const RunOptions& options)
+    : resolver_(resolver) {
   walkers_.reserve(walkers.size());
   for (WalkerRun& walker : walkers) {
     const std::int64_t start = walker.began.value_or(walker.state.step);
@@ -37,10 +37,7 @@ std::vector<RunSummary> Together::run() {
     walker.showing.show_start(walker.walk, walker.walk.frame());
   }
   try {
-    if (resolver_.may_use_lanes())
-      while (step()) continue;
-    else
-      for (Shown& walker : walkers_) run_one(walker);
+    while (step()) continue;
   } catch (...) {
     for (Shown& walker : walkers_) walker.walk.take_back_push();
     throw;
@@ -49,15 +46,6 @@ std::vector<RunSummary> Together::run() {
   for (const Shown& walker : walkers_)
     summaries.push_back(walker.showing.with_observers(walker.walk.summary()));
   return summaries;
-}
-
-/// With contacts a step costs what the push reaches, as long as the resolver knows the step before:
-/// in turn with others each step would look at all joints.
-void Together::run_one(Shown& walker) {
-  while (!walker.is_over()) {
-    walker.walk.push();
-    finish(walker, walker.walk.resolve(resolver_.alone()));
-  }
 }
 
 /// False if all walkers are done.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walkers in step with each other, resolved together if their pushes are alike. Those that lanes
-// cannot take go one after another.
+// Walkers in step with each other, resolved together if their pushes are alike.
 #pragma once
 
 #include <vector>
@@ -12,8 +11,10 @@ namespace pliant {
 
 class Together {
  public:
-  /// All must outlive it. Throws as run().
-  Together(const Framework& framework, std::span<WalkerRun> walkers, const RunOptions& options);
+  /// All must outlive it; the resolver is of this framework and these options, and may have served
+  /// other walkers. Throws as run().
+  Together(const Framework& framework, WalkerResolver& resolver, std::span<WalkerRun> walkers,
+           const RunOptions& options);
 
   std::vector<RunSummary> run();
 
@@ -26,14 +27,13 @@ class Together {
     bool is_over() const { return showing.is_over(walk); }
   };
 
-  void run_one(Shown& walker);
   bool step();
   void push();
   void part_alike();
   void resolve_alike();
   static void finish(Shown& walker, const ResolveSummary& resolved);
 
-  WalkerResolver resolver_;
+  WalkerResolver& resolver_;
   std::vector<Shown> walkers_;
   std::vector<Shown*> alone_, alike_;  ///< in this step
   std::vector<WalkerPositions> positions_;

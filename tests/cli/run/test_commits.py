@@ -111,6 +111,23 @@ def test_sigusr1_may_come_again(tmp_path):
     assert {one.walker for one in commits_in(tmp_path / "o.log")} == set(range(3, 11))
 
 
+def test_what_a_walker_has_done_is_kept_while_others_go_on(tmp_path):
+    """With contacts one walker follows the other; between their ends nothing is committed here."""
+    more = {"--model": "protein", "--steps": 3000, "--every": 1000, "--commit-seconds": 1000}
+    subprocess.run(
+        words_of(more | {"-o": "whole.h5md"} | {"--commits": "whole.log"}),
+        cwd=tmp_path,
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
+    assert stopped(tmp_path, 3, signal.SIGKILL, more) == -signal.SIGKILL
+    commits = commits_in(tmp_path / "o.log")
+    assert len(commits) >= 3 and all(one.is_done and one.step == 3000 for one in commits)
+    result = json.loads(ran(tmp_path, more).stdout)
+    assert result["steps"] == 3000 * (WALKERS - len(commits))
+    assert (tmp_path / "o.h5md").read_bytes() == (tmp_path / "whole.h5md").read_bytes()
+
+
 @pytest.mark.long
 @pytest.mark.parametrize(
     "more",

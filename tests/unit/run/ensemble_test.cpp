@@ -82,6 +82,15 @@ TEST(Ensemble, AWalkerDoesWhatARunOfItDoes) {
   }
 }
 
+/// A chain of twelve, two joints of which a limit ties.
+Framework tied() {
+  const Sketch sketch = chain(12);
+  FrameworkParts parts = framework_of(sketch).parts();
+  const double length = distance(sketch.positions[2], sketch.positions[9]);
+  parts.limits = {{2, 9, 0.0, length + 1.0, LimitKind::hydrogen_bond, 0.0, 4}};
+  return Framework(parts);
+}
+
 /// The walkers whose frames come, in this order, each named once until another's come.
 std::vector<std::uint64_t> turns_of(const Framework& framework, const State& start) {
   std::vector<std::uint64_t> turns;
@@ -94,16 +103,49 @@ std::vector<std::uint64_t> turns_of(const Framework& framework, const State& sta
   return turns;
 }
 
-/// A resolver that changes walkers at each step looks at all joints at each: 70 times as long for a
-/// protein of 3341 atoms.
 TEST(Ensemble, WalkersThatLanesCannotTakeGoOneAfterAnother) {
-  const Sketch sketch = chain(12);
-  const State start(sketch.positions);
-  FrameworkParts parts = framework_of(sketch).parts();
-  EXPECT_GT(turns_of(Framework(parts), start).size(), 3u);
-  const double length = distance(sketch.positions[2], sketch.positions[9]);
-  parts.limits = {{2, 9, 0.0, length + 1.0, LimitKind::hydrogen_bond, 0.0, 4}};
-  EXPECT_EQ(turns_of(Framework(parts), start), (std::vector<std::uint64_t>{0, 1, 2}));
+  const State start(chain(12).positions);
+  EXPECT_GT(turns_of(framework_of(chain(12)), start).size(), 3u);
+  EXPECT_EQ(turns_of(tied(), start), (std::vector<std::uint64_t>{0, 1, 2}));
+}
+
+TEST(Ensemble, WithLimitsAWalkerDoesWhatARunOfItDoes) {
+  const Framework framework = tied();
+  const State start(chain(12).positions);
+  for (const char* perturb : {"force", "displacement"}) {
+    SCOPED_TRACE(perturb);
+    EnsembleOptions options = options_of({5, 9}, 2, "auto", perturb);
+    Hashes shard, alone;
+    watch_shard(framework, start, options, shard);
+    for (std::uint64_t walker = 5; walker < 9; ++walker) {
+      options.run.resolve.walker = walker;
+      State state = start;
+      run(framework, state, options.run, {[&](const Frame& frame) {
+            alone[walker] = test::hash_of(frame.positions, alone[walker]);
+            return false;
+          }});
+    }
+    EXPECT_EQ(shard, alone);
+  }
+}
+
+/// Those before it are over and told; it stops at its frame; those after it go on.
+TEST(Ensemble, WithLimitsOneThatFailsLeavesTheOthersTheirs) {
+  std::map<std::uint64_t, std::int64_t> ended;
+  const auto watchers_of = [&](std::uint64_t walker) {
+    Watchers watchers;
+    watchers.observers = {[walker](const Frame& frame) {
+      if (walker == 1 && frame.step == 5) throw InputError("broken");
+      return false;
+    }};
+    watchers.on_end = [&ended, walker](const RunSummary&, const State& state) {
+      ended[walker] = state.step;
+    };
+    return watchers;
+  };
+  const State start(chain(12).positions);
+  EXPECT_THROW(run_ensemble(tied(), start, options_of({0, 3}, 1), watchers_of), InputError);
+  EXPECT_EQ(ended, (std::map<std::uint64_t, std::int64_t>{{0, 12}, {1, 5}, {2, 12}}));
 }
 
 TEST(Ensemble, OneThatFailsStopsAloneAndIsTold) {
