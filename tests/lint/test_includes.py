@@ -353,5 +353,6 @@ def compile_alone(header: Path) -> str:
 @pytest.mark.long
 @pytest.mark.skipif(not shutil.which("g++"), reason="g++ is not installed")
 def test_headers_compile_alone():
+    headers = [path for path in files(".hpp", folders=("src",)) if path.parent.name != "windows"]
     with ThreadPoolExecutor(max_workers=2) as pool:
-        refuse([text for text in pool.map(compile_alone, files(".hpp", folders=("src",))) if text])
+        refuse([text for text in pool.map(compile_alone, headers) if text])
