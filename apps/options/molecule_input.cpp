@@ -80,15 +80,6 @@ bool is_graph(const MoleculeOptions& options) {
   return options.format.empty() && path_of(options.file).extension() == ".xml";
 }
 
-}  // namespace
-
-std::string bars_of(const MoleculeOptions& options) {
-  if (!options.bars.empty()) return options.bars;
-  return options.kind.name.empty() ? "bonds" : options.kind.name;
-}
-
-namespace {
-
 void add_options_of_files(CommandLine& line, MoleculeOptions& options, const char* formats_taken) {
   line.start_group("Molecule");
   line.add_required_text("input", options.file, "FILE", formats_taken);
@@ -107,6 +98,11 @@ void add_options_of_files(CommandLine& line, MoleculeOptions& options, const cha
 }
 
 }  // namespace
+
+std::string bars_of(const MoleculeOptions& options) {
+  if (!options.bars.empty()) return options.bars;
+  return options.kind.name.empty() ? "bonds" : options.kind.name;
+}
 
 void add_file_options(CommandLine& line, MoleculeOptions& options) {
   add_options_of_files(line, options, "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz)");

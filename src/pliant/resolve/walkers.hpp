@@ -33,8 +33,8 @@ class WalkerResolver {
   ~WalkerResolver();
   WalkerResolver(WalkerResolver&&) noexcept;
 
-  /// Whether lanes may be used: for bars alone, by a technique that has lanes. Makes no plan, as
-  /// level() does.
+  /// Whether lanes may be used: for bars alone, by a technique that has lanes. Unlike level() it
+  /// makes no plan.
   bool may_use_lanes() const;
   /// The level of the lanes: "v4", ..., or "" if walkers are resolved one after another.
   std::string_view level();

@@ -89,7 +89,7 @@ class Ensemble {
 
   std::vector<RunSummary> run() {
     const auto threads = static_cast<std::uint64_t>(options_.threads);
-    // As many as fit into lanes, if that leaves no thread without.
+    // As many as fit into the lanes, if that leaves no thread without.
     group_size_ = std::clamp<std::uint64_t>((count() + threads - 1) / threads, 1, lane_count);
     run_in_threads(std::min(threads, count()), [this](std::size_t) { run_next_groups(); });
     failure_.rethrow();

@@ -23,7 +23,8 @@ RunSummary run(const Framework& framework, State& state, const RunOptions& optio
 /// Runs walkers in step with each other, so that those whose pushes moved all joints are resolved
 /// together (WalkerResolver). Each walker has the result of run() alone, bit by bit; the seconds of
 /// its summary are its share. A walker that is asked to stop stops alone. Throws as run(); each
-/// walker then ends with its last whole step.
+/// walker then ends with its last whole step. With limits or sterics a step of several walkers
+/// looks at all joints; run_ensemble() runs those one after another.
 std::vector<RunSummary> run_walkers(const Framework& framework, std::span<WalkerRun> walkers,
                                     const RunOptions& options);
 
