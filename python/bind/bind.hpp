@@ -32,6 +32,7 @@ void bind_record(nb::module_& module);
 void bind_rigidity(nb::module_& module);
 void bind_run(nb::module_& module);
 void bind_sample(nb::module_& module);
+void bind_text(nb::module_& module);
 void bind_walkers(nb::module_& module);
 
 }  // namespace pliant::python

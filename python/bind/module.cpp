@@ -23,6 +23,7 @@ NB_MODULE(_core, module) {
   bind_resolve(module);
   bind_walkers(module);
   bind_perturb(module);
+  bind_text(module);
   bind_record(module);
   bind_generate(module);
   bind_guide(module);

@@ -150,7 +150,13 @@ void OutputFile::write(std::string_view text) const {
     fail_with(target_, "cannot write", errno);
 }
 
+void OutputFile::flush() const {
+  if (!flush_contents(descriptor())) fail_with(target_, "cannot write", errno);
+  lock_for_writing(descriptor());
+}
+
 void OutputFile::publish() {
+  flush();
   // Another run may take or replace the name between two calls: look again.
   for (int attempt = 0; attempt < 100 && !published_; ++attempt)
     published_ = take_free_name() || replace_existing();

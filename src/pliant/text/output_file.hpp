@@ -33,8 +33,12 @@ class OutputFile {
   /// Appends all of `text`. Throws FileError with the system's reason.
   void write(std::string_view text) const;
   const std::filesystem::path& target() const { return target_; }
-  /// Gives the file its final name. With `overwrite` it replaces an existing file of that name
-  /// atomically. Throws as the constructor does.
+  /// Where the file is until it is published.
+  const std::filesystem::path& partial() const { return temporary_; }
+  /// Throws FileError unless the file system has taken all that was written.
+  void flush() const;
+  /// Flushes the file and gives it its final name. With `overwrite` it replaces an existing file of
+  /// that name atomically. Throws as the constructor does.
   void publish();
   bool is_published() const { return published_; }
   /// Flushes the folder's entry to the disk.

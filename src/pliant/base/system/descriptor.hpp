@@ -81,6 +81,10 @@ bool write_all_at(int descriptor, std::uint64_t position, std::span<const std::b
 /// Gives the file this many bytes; new ones are zero. Returns false when that fails.
 bool resize_file(int descriptor, std::uint64_t size);
 
+/// Hands to the file system what waits, as closing does: network file systems may say only then
+/// that they are full. Returns false when that fails. Takes the locks of this process from the
+/// file, but not those of the descriptor.
+bool flush_contents(int descriptor);
 /// Waits until the file's contents are on the disk. Returns false when that fails.
 bool sync_contents(int descriptor);
 /// The same for the names in a folder, as far as the system can.

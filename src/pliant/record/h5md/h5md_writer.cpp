@@ -284,6 +284,7 @@ void H5mdWriter::release() {
   checkpoint_.reset();
   hdf5_.reset();
   file_.trim();
+  file_.flush();
   output_.close();
 }
 

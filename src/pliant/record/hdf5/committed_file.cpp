@@ -164,6 +164,10 @@ void CommittedFile::trim() {
   if (written_end_ > committed_end_) resize(committed_end_);
 }
 
+void CommittedFile::flush() {
+  if (may_write() && !flush_contents(descriptor_)) failure_ = errno;
+}
+
 void CommittedFile::sync() {
   if (durable_ && may_write() && !sync_contents(descriptor_)) failure_ = errno;
 }

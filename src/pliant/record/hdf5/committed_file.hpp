@@ -63,6 +63,8 @@ class CommittedFile {
   void shrink() { shrinks_ = true; }
   /// Cuts the file to the length in the superblock. Only after the last commit.
   void trim();
+  /// Hands all to the file system. Only after the last commit.
+  void flush();
 
   /// errno of the first write that failed, or 0.
   int failure() const { return failure_; }

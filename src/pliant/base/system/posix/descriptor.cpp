@@ -118,6 +118,11 @@ bool resize_file(int descriptor, std::uint64_t size) {
   return uninterrupted([&] { return ::ftruncate(descriptor, static_cast<off_t>(size)); }) == 0;
 }
 
+bool flush_contents(int descriptor) {
+  const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  return copy >= 0 && ::close(copy) == 0;
+}
+
 /// On macOS fsync() does not wait for the disk's own cache.
 bool sync_contents(int descriptor) {
 #if defined(__APPLE__)

@@ -197,6 +197,8 @@ bool sync_contents(int descriptor) {
   return ::FlushFileBuffers(handle_of(descriptor)) ? true : keep_windows_error();
 }
 
+bool flush_contents(int descriptor) { return sync_contents(descriptor); }
+
 /// Windows writes names through its journal; MoveFileExW() waits for it.
 void sync_names(const std::filesystem::path&) {}
 

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""The one way to write a file: beside its place, checked, and named once it is whole."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from pliant._core import FileError, OutputFile
+from pliant.console import printable_name
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
+
+#: what a system says where there is no room: disk, quota, limit of sizes
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+
+
+class NewFile(io.FileIO):
+    """A file for bytes, which remembers if one could not be written.
+
+    Libraries that need a name may write to `path`; whoever lets them checks what they made.
+    """
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path, "r+")
+        self.path = path
+        self.failure: OSError | None = None  #: the first
+
+    def write(self, data: ReadableBuffer) -> int:
+        """Writes all of it."""
+        left = memoryview(data).cast("B")
+        size = len(left)
+        try:
+            while left:
+                left = left[super().write(left) :]
+        except OSError as error:
+            self.failure = self.failure or error
+            raise
+        return size
+
+
+@contextmanager
+def new_file(place: str | os.PathLike[str], *, overwrite: bool = False) -> Iterator[NewFile]:
+    """A file that takes its name when the block ends well, and is gone otherwise.
+
+    Without `overwrite` it never replaces another file, nor one that came to be meanwhile. Raises
+    FileError where the file is there, or not all could be written.
+    """
+    output = OutputFile(Path(place), overwrite=overwrite)
+    try:
+        file = NewFile(output.partial)
+        try:
+            with file:
+                yield file
+        except Exception as error:
+            reason = file.failure or error
+            if isinstance(reason, OSError) and (file.failure or reason.errno in NO_ROOM):
+                raise cannot_write(output.target, reason) from error
+            raise
+        if file.failure:
+            raise cannot_write(output.target, file.failure)
+        output.publish()
+    finally:
+        output.close()
+
+
+def cannot_write(place: str | os.PathLike[str], reason: OSError) -> FileError:
+    """What the library says, too."""
+    return FileError(f"{printable_name(place)}: cannot write: {reason.strerror}")
+
+
+@contextmanager
+def new_text(place: str | os.PathLike[str], *, overwrite: bool = False) -> Iterator[TextIO]:
+    """The same for text in UTF-8, whose ends of lines are written as they are."""
+    with (
+        new_file(place, overwrite=overwrite) as file,
+        io.TextIOWrapper(io.BufferedWriter(file), encoding="utf-8", newline="") as text,
+    ):
+        yield text
+
+
+def write_text(place: str | os.PathLike[str], text: str, *, overwrite: bool = False) -> None:
+    """Writes a whole file or none. Raises FileError as `new_file` does."""
+    write_bytes(place, text.encode(), overwrite=overwrite)
+
+
+def write_bytes(place: str | os.PathLike[str], data: bytes, *, overwrite: bool = False) -> None:
+    """The same for bytes."""
+    with new_file(place, overwrite=overwrite) as file:
+        file.write(data)
