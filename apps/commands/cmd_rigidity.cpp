@@ -9,6 +9,7 @@
 #include "messages.hpp"
 #include "options/molecule_input.hpp"
 #include "options/option_fields.hpp"
+#include "output/graph_rigidity.hpp"
 #include "output/output_files.hpp"
 #include "output/rigidity_files.hpp"
 #include "output/rigidity_json.hpp"
@@ -46,7 +47,13 @@ constexpr const char* summary =
     "degrees of freedom: a ring of six single bonds has none, a ring of seven has one. The\n"
     "count looks at the graph alone, not at positions: it does not see that a ring of six\n"
     "moves as a boat, though not as a chair. Contacts never break. So the answer depends on\n"
-    "--hbond-cutoff: try --dilution. Freedoms that contacts remove:";
+    "--hbond-cutoff: try --dilution.\n"
+    "\n"
+    "A linkage (graph, .xml) has joints, and bars that hold their distances. Its freedoms\n"
+    "follow from the rank of the rigidity matrix: at the positions in the file, and at almost\n"
+    "all others; and from counting bars (pebble game). Redundant bars are listed. Pins hold.\n"
+    "\n"
+    "Freedoms that contacts in molecules remove:";
 
 constexpr const char* footer =
     "How to read it:\n"
@@ -60,10 +67,11 @@ constexpr const char* footer =
     "  pliant rigidity protein.pdb\n"
     "  pliant rigidity protein.pdb --dilution --page rigid.html\n"
     "  pliant rigidity protein.pdb -o rigid && cd rigid && pymol show.pml\n"
-    "  pliant rigidity protein.pdb --csv > residues.csv";
+    "  pliant rigidity protein.pdb --csv > residues.csv\n"
+    "  pliant rigidity linkage.xml";
 
 void add_options(CommandLine& line, RigiditySettings& settings) {
-  add_file_options(line, settings.molecule);
+  add_file_options(line, settings.molecule, true);
   add_model_options(line, settings.molecule.kind);
   line.start_group("Counting");
   for (const auto& field : rigidity_fields())
@@ -79,7 +87,8 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
                 "clusters by residues, with --dilution the plot (made by the Python package)");
   line.add_flag("--overwrite", settings.overwrite, "replace the page, and files of that folder");
   line.add_flag("--csv", settings.as_csv,
-                "print a table of residues, or with --dilution of the hydrogen bonds removed");
+                "print a table of residues, or with --dilution of the hydrogen bonds removed, "
+                "or of the bars of a graph");
   line.add_flag("--json", settings.as_json, "print one JSON object with all that was found");
   add_verbose(line, settings.verbose);
 }
@@ -131,6 +140,48 @@ RigidityReport report_of(const RigiditySettings& settings, Messages& messages) {
   return report;
 }
 
+/// Throws OptionError naming an option that is for molecules alone.
+void check_for_graph(const RigiditySettings& settings) {
+  const auto refuse = [](bool is_given, const std::string& option) {
+    if (is_given) throw OptionError(option + ": is for molecules, not for a graph");
+  };
+  refuse(settings.dilution, "--dilution");
+  refuse(!settings.output.empty(), "--output");
+  refuse(!settings.page.empty(), "--page");
+  const RigidityAsked usual;
+  refuse(settings.counting.hbond_bars != usual.hbond_bars, "--hbond-bars");
+  refuse(settings.counting.tether_bars != usual.tether_bars, "--tether-bars");
+  refuse(settings.counting.ends_turn != usual.ends_turn, "--still-ends");
+  refuse(!settings.counting.free_angles.empty(), "--free-angles");
+}
+
+/// Says where the rank hangs on the last digits of coordinates.
+void warn_of_rank(const BarRankThere& rank, const Log& log) {
+  if (!rank.nearly_dependent.empty())
+    log.warn(
+        fmt::format("the positions are nearly special: singular values below 0.0001 count in "
+                    "the rank: {}, the least {:.1e}; if rounded coordinates are the reason, "
+                    "so many degrees of freedom are missing",
+                    rank.nearly_dependent.size(), rank.nearly_dependent.front()));
+}
+
+int rigidity_of_graph(const RigiditySettings& settings) {
+  check_for_graph(settings);
+  Messages messages(settings.as_json);
+  const Molecule graph = load(settings.molecule, messages.log());
+  const GraphRigidityReport report{settings.molecule.file, graph.framework,
+                                   framework_rigidity(graph.framework, graph.structure.positions)};
+  warn_of_rank(report.found.rank, messages.log());
+  if (settings.as_csv)
+    fmt::print("{}", bars_as_csv(report));
+  else if (settings.as_json)
+    print_json(json_of_rigidity(report) +
+               Json{{"warnings", messages.warnings()}, {"notes", messages.notes()}});
+  else
+    print_rigidity(report);
+  return exit_ok;
+}
+
 }  // namespace
 
 int command_rigidity(const Arguments& arguments) {
@@ -143,6 +194,7 @@ int command_rigidity(const Arguments& arguments) {
   if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
   if (settings.overwrite && settings.output.empty() && settings.page.empty())
     throw OptionError("--overwrite: goes with --output or --page");
+  if (is_graph(settings.molecule)) return rigidity_of_graph(settings);
   refuse_input_as_output(settings);
   const std::filesystem::path program = page_program(settings);
   Messages messages(settings.as_json);

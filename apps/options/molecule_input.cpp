@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "options/molecule_fields.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/fingerprint.hpp"
@@ -12,6 +13,7 @@
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/stated_bars.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
 
@@ -19,6 +21,9 @@ namespace pliant::app {
 namespace {
 
 constexpr std::int64_t most_models = 1'000'000'000;
+constexpr const char* molecules = "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz)";
+constexpr const char* molecules_or_graph =
+    "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz), or a graph (.xml)";
 
 /// All bytes of the file, expanded.
 std::string bytes_of(const MoleculeOptions& options) {
@@ -30,20 +35,31 @@ std::string bytes_of(const MoleculeOptions& options) {
   }
 }
 
+/// Throws OptionError naming the first option that a graph has no use for.
+void check_graph(const MoleculeOptions& options) {
+  const auto refuse = [](const std::string& option, const char* reason) {
+    throw OptionError(option + ": is for molecules; a graph XML file " + reason);
+  };
+  constexpr const char* own_bars = "has bars of its own (--bars takes a bars file)";
+  if (!options.kind.name.empty()) refuse("--model " + options.kind.name, own_bars);
+  if (bars_of(options) != "bonds" && !is_bars_file(bars_of(options)))
+    refuse("--bars " + options.bars, own_bars);
+  for (const MoleculeField& field : molecule_fields())
+    if (field.option != std::string_view("--pin") &&
+        molecule_field_text(options, field) != molecule_field_text({}, field))
+      refuse(field.option, "has joints and bars as they stand");
+}
+
 /// A graph XML file: its joints and bars as they stand, each bar shown as a bond of the file.
 Molecule load_graph(const MoleculeOptions& options, const Log& log) {
-  const bool has_bars_file = is_bars_file(bars_of(options));
-  if (!options.pin.empty() || !options.select.empty() || !options.assembly.empty() ||
-      options.lengths != "geometry" || (bars_of(options) != "bonds" && !has_bars_file))
-    throw OptionError(
-        "--select, --assembly, --pin, --lengths and kinds of --bars are for molecules: a graph XML "
-        "file says "
-        "itself "
-        "what is pinned, its bars and their lengths; --bars takes a bars file");
+  check_graph(options);
   const std::string bytes = bytes_of(options);
   GraphFile graph = parse_graph_xml({options.file, without_byte_order_mark(bytes)}, log);
-  if (has_bars_file)
+  if (is_bars_file(bars_of(options)))
     graph.framework = with_stated_bars(graph.framework, graph.positions, path_of(options.bars));
+  if (!options.pin.empty())
+    graph.framework =
+        graph.framework.with_pinned(select_joints(graph.framework, options.pin, "--pin"));
   Structure structure;
   structure.source = options.file;
   structure.format = "graph";
@@ -76,10 +92,6 @@ Molecule load_model(const MoleculeOptions& options, const Structure& structure, 
           fingerprint(structure.atoms, structure.positions), std::move(model.left_out)};
 }
 
-bool is_graph(const MoleculeOptions& options) {
-  return options.format.empty() && path_of(options.file).extension() == ".xml";
-}
-
 void add_options_of_files(CommandLine& line, MoleculeOptions& options, const char* formats_taken) {
   line.start_group("Molecule");
   line.add_required_text("input", options.file, "FILE", formats_taken);
@@ -99,18 +111,21 @@ void add_options_of_files(CommandLine& line, MoleculeOptions& options, const cha
 
 }  // namespace
 
+bool is_graph(const MoleculeOptions& options) {
+  return options.format.empty() && path_of(options.file).extension() == ".xml";
+}
+
 std::string bars_of(const MoleculeOptions& options) {
   if (!options.bars.empty()) return options.bars;
   return options.kind.name.empty() ? "bonds" : options.kind.name;
 }
 
-void add_file_options(CommandLine& line, MoleculeOptions& options) {
-  add_options_of_files(line, options, "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz)");
+void add_file_options(CommandLine& line, MoleculeOptions& options, bool takes_graphs) {
+  add_options_of_files(line, options, takes_graphs ? molecules_or_graph : molecules);
 }
 
 void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
-  add_options_of_files(line, options,
-                       "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz), or a graph (.xml)");
+  add_options_of_files(line, options, molecules_or_graph);
   line.add_integer_or_choice("--model", options.model, 1, most_models, options.kind.name,
                              names_of(models()),
                              "what holds it together: bonds, angles, molecule (no overlaps) or "
@@ -141,8 +156,8 @@ Structure read(const MoleculeOptions& options, const Log& log) {
 }
 
 Molecule load(const MoleculeOptions& options, const Log& log) {
-  check(options);
   if (is_graph(options)) return load_graph(options, log);
+  check(options);
   Structure structure = read(options, log);
   if (!options.kind.name.empty()) return load_model(options, structure, log);
   BuildOptions building;

@@ -44,7 +44,10 @@ std::string bars_of(const MoleculeOptions& options);
 void add_molecule_options(CommandLine& line, MoleculeOptions& options);
 
 /// Adds only the options for the file and how it is read.
-void add_file_options(CommandLine& line, MoleculeOptions& options);
+void add_file_options(CommandLine& line, MoleculeOptions& options, bool takes_graphs = false);
+
+/// Whether the file is a graph XML file, by its name.
+bool is_graph(const MoleculeOptions& options);
 
 /// Reads the file, perceives its bonds and selects atoms. Throws as the library does.
 Structure read(const MoleculeOptions& options, const Log& log);

@@ -286,6 +286,9 @@ def _built(
 ) -> tuple[_core.Framework, _core.Structure | None, dict[str, Value]]:
     """The framework, the structure it is of, and how it is recorded that it was built so."""
     if not isinstance(source, _core.Structure):
+        given = {"bars": bars != "bonds", "lengths": lengths != "geometry", "pin": bool(pin)}
+        for name in (name for name, is_given in given.items() if is_given):
+            raise TypeError(f"run: {name} is for a structure, or a file of one")
         return source, structure, {}
     if structure is not None:
         raise TypeError("run: structure is given twice")

@@ -59,8 +59,10 @@
 #include "pliant/model/torsions_of_residues.hpp"        // rotamers, the Ramachandran plot
 
 // rigidity: what is rigid, by its graph alone
-#include "pliant/rigidity/pebble_game.hpp"     // bars that count, one by one
-#include "pliant/rigidity/rigid_clusters.hpp"  // what comes of them
+#include "pliant/rigidity/bar_rank.hpp"            // rank of the rigidity matrix
+#include "pliant/rigidity/framework_rigidity.hpp"  // freedoms of joints and bars
+#include "pliant/rigidity/pebble_game.hpp"         // bars that count, one by one
+#include "pliant/rigidity/rigid_clusters.hpp"      // what comes of them
 
 // framework: joints, bars and what is known of them
 #include "pliant/framework/atom_table.hpp"         // names of joints

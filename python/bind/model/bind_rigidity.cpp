@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "arrays.hpp"
+#include "framework/framework_rigidity.hpp"
 #include "messages.hpp"
 #include "model/molecular_contacts.hpp"
 #include "molecule/structure.hpp"
@@ -47,6 +48,7 @@ MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
                              const nb::object& contacts, bool keep_waters,
                              std::vector<std::string> keep, std::vector<std::string> protonate,
                              std::vector<std::string> more_contacts, const nb::kwargs& more) {
+  if (is_graph(structure)) throw nb::next_overload();
   nb::dict given(more);
   RigidityAsked counting;
   take_values(rigidity_fields(), given, counting);
@@ -132,7 +134,8 @@ Parameters
 ----------
 structure : Structure, path, Universe, AtomGroup, rdkit.Chem.Mol or MolecularModel
     A molecule, as ``sample`` takes it, which is prepared first; or a model, which is taken with its
-    contacts as it is.
+    contacts as it is. Of a Graph, a Framework or the path of a graph XML file (.xml) the freedoms of
+    joints and bars are found: a FrameworkRigidity, which takes no options.
 hbond_cutoff : float
     As in ``contacts``.
 contacts : array, optional
@@ -366,6 +369,7 @@ void bind_rigidity(nb::module_& module) {
              "keep"_a = std::vector<std::string>{}, "protonate"_a = std::vector<std::string>{},
              "more_contacts"_a = std::vector<std::string>{}, "options"_a,
              nb::sig(signature.c_str()), doc.c_str());
+  bind_framework_rigidity(module);
 }
 
 }  // namespace pliant::python

@@ -122,6 +122,8 @@ class Parser {
   void read_term() {
     const Term* term = find_term(word().text);
     if (term == nullptr) fail_at("expected a word that selects atoms" + suggestion());
+    if (term->word.name == "id" && !subject_.is_graph())
+      fail_at("atoms have a name, an index (from 0) and a bynum (from 1), joints of a graph an id");
     const Meaning& meaning = term->meaning;
     ++next_;
     if (meaning.holds != nullptr)

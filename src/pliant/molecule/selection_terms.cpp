@@ -42,6 +42,7 @@ constexpr Term terms[] = {
     {{"nucleic", "", "nucleotides"}, {.holds = is_nucleic}},
     {{"water", "", "water molecules"}, {.holds = is_water}},
     {{"name", "names", "atoms so called"}, {.text = name_of}},
+    {{"id", "names", "joints of a graph, by their id in its XML"}, {.text = name_of}},
     {{"element", "names", "elements, in capitals or not"}, {.text = element_of}},
     {{"resname", "names", "residues so called"}, {.text = resname_of}},
     {{"chainID", "names", "chains so called"}, {.text = chain_of}},

@@ -36,6 +36,8 @@ struct Subject {
     const ResidueTemplate* shape = shapes[atoms.residue_of[i]];
     return shape && shape->kind == kind;
   }
+  /// Joints of a graph are in no residue that has a name.
+  bool is_graph() const { return atoms.residues.size() == 1 && atoms.residues[0].name.empty(); }
   bool is_protein(std::size_t i) const {
     return is(i, ResidueKind::amino_acid) || is(i, ResidueKind::cap);
   }

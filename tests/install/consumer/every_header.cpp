@@ -119,6 +119,8 @@
 #include "pliant/resume/force_recorder.hpp"
 #include "pliant/resume/recorded_run.hpp"
 #include "pliant/resume/recorded_sample.hpp"
+#include "pliant/rigidity/bar_rank.hpp"
+#include "pliant/rigidity/framework_rigidity.hpp"
 #include "pliant/rigidity/pebble_game.hpp"
 #include "pliant/rigidity/rigid_clusters.hpp"
 #include "pliant/run/ensemble.hpp"
@@ -244,6 +246,8 @@ const Use uses[] = {
     of("pliant/model/rigidity/rigidity.hpp", &analyse_rigidity),
     of("pliant/model/rigidity/rigidity_dilution.hpp", &dilute_hydrogen_bonds),
     of("pliant/model/rigidity/rigidity_network.hpp", &rigidity_network),
+    of("pliant/rigidity/bar_rank.hpp", &bar_rank),
+    of("pliant/rigidity/framework_rigidity.hpp", &framework_rigidity),
     of("pliant/rigidity/pebble_game.hpp", &PebbleGame::rank),
     of("pliant/rigidity/rigid_clusters.hpp", &find_rigid_clusters),
     of("pliant/model/prepare/select_part.hpp", &select_part),

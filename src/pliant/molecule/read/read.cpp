@@ -54,6 +54,10 @@ const Format* format_by_content(std::string_view text) {
 
 [[noreturn]] void fail_unknown(std::string_view name) {
   const std::string extension = extension_of(name);
+  if (extension == ".xml")
+    fail({name},
+         "is a graph by its extension .xml, and no molecule: pliant run, play, order, info "
+         "and rigidity take it; in Python pliant.read_graph_xml reads it");
   std::string message = "neither extension nor content matches a known format; known:";
   if (const std::string_view format = foreign_format(extension); !format.empty())
     message = "is a file of " + std::string(format) + " by its extension " + extension +
