@@ -19,7 +19,7 @@ def shell(name, *words, script):
         capture_output=True,
         text=True,
         check=False,
-        timeout=60,
+        timeout=900,
         env={**os.environ, "HOME": "/nonexistent"},
     )
     assert done.returncode == 0, done.stderr

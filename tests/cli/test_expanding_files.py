@@ -58,7 +58,7 @@ def measured(command, folder, words):
         cwd=folder,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=900,
     )
     *said, memory = ended.stderr.split("\n ")
     return ended.returncode, "".join(said).strip(), int(memory) / 1024

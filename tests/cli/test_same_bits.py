@@ -54,7 +54,7 @@ def run(command: Path, folder: Path, molecule: Path, settings: list[str]) -> dic
         cwd=folder,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=900,
         check=False,
     )
     assert done.returncode in (0, 3), done.stderr

@@ -42,7 +42,7 @@ def run(folder, *names):
     program.write_text(PROGRAM.replace("NAMES", "\\n  ".join([*names, ""])))
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
     words = [sys.executable, RUNNER, program, folder / "report.xml", "--jobs", "1"]
-    return subprocess.run(list(map(str, words)), text=True, capture_output=True, timeout=60)
+    return subprocess.run(list(map(str, words)), text=True, capture_output=True, timeout=900)
 
 
 @pytest.mark.parametrize(

@@ -42,7 +42,7 @@ def run_of(folder, made, processes):
         cwd=folder,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=900,
     )
 
 

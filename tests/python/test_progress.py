@@ -151,7 +151,7 @@ def test_a_notebook_shows_a_bar(tmp_path):
     cell = nbformat.v4.new_code_cell(RUN)
     notebook = nbformat.v4.new_notebook(cells=[cell])
     resources = {"metadata": {"path": str(tmp_path)}}
-    done = nbclient.NotebookClient(notebook, timeout=120, resources=resources).execute()
+    done = nbclient.NotebookClient(notebook, timeout=900, resources=resources).execute()
     shown = str(done.cells[0].outputs)
     assert "steps" in shown
     assert "3000" in shown

@@ -4,6 +4,7 @@
 // frame is dropped.
 //
 //   imd_sample JOINTS FRAMES VERSION [swapped]
+#include <chrono>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ int serve(const std::vector<std::string>& words) {
   options.kill = true;
   options.version = std::stoi(words[3]);
   options.swapped = words.size() > 4 && words[4] == "swapped";
+  const std::chrono::milliseconds patience = std::chrono::minutes(15);  // what reads may be slow
+  options.patience = {patience, patience, patience, patience};
   const auto joints = static_cast<std::size_t>(std::stoul(words[1]));
   const std::int64_t frames = std::stoll(words[2]);
   ImdServer server(joints, options, std::make_shared<Steering>());

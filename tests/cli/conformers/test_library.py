@@ -106,9 +106,8 @@ def stopped(command, words, folder, name, number):
         [command, *words, "-o", name], cwd=folder, stderr=subprocess.PIPE, text=True
     ) as run:
         journal = folder / f".{name}.journal"
-        for _ in range(6000):
-            if journal.exists() and journal.read_bytes().count(b"\n") > 4:
-                break
+        while not (journal.exists() and journal.read_bytes().count(b"\n") > 4):
+            assert run.poll() is None
             time.sleep(0.01)
         run.send_signal(number)
         return run.wait(), run.stderr.read()

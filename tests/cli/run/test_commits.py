@@ -25,7 +25,7 @@ def words_of(more):
 
 def ran(folder, more=None, code=0):
     words = words_of(LOG | (more or {}))
-    ended = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=120)
+    ended = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=900)
     assert ended.returncode == code, ended.stderr
     return ended
 
@@ -168,7 +168,7 @@ def test_a_run_whose_log_is_taken_over_goes_on_without(tmp_path, whole):
     ) as child:
         wait_for_commits(child, tmp_path / "o.log", 10)
         (tmp_path / "o.log").rename(tmp_path / "taken.log")
-        out = child.communicate(timeout=120)[0]
+        out = child.communicate(timeout=900)[0]
     assert (child.returncode, out.count("o.log: is gone")) == (0, 1)
     assert (tmp_path / "o.h5md").read_bytes() == whole
     (tmp_path / "o.h5md").unlink()

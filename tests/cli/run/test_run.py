@@ -190,7 +190,7 @@ def test_interrupt_names_the_files_of_walkers_that_were_begun(command, ethanol, 
     while not (tmp_path / "o-7.h5md").exists():
         time.sleep(0.02)
     running.send_signal(signal.SIGINT)
-    out, _ = running.communicate(timeout=20)
+    out, _ = running.communicate(timeout=900)
     assert running.returncode == 130
     assert json.loads(out)["outputs"] == [f"o-{walker}.h5md" for walker in range(8)]
     for walker in range(8):
@@ -218,7 +218,7 @@ def test_interrupt_leaves_a_readable_file(command, ethanol, tmp_path):
     while not path.exists() or path.stat().st_size < 100_000:  # hundreds of frames
         time.sleep(0.02)
     running.send_signal(signal.SIGINT)
-    out, _ = running.communicate(timeout=20)
+    out, _ = running.communicate(timeout=900)
     assert running.returncode == 130
     assert "stopped early" in out
     with h5py.File(tmp_path / "o.h5md") as file:

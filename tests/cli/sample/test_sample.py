@@ -140,7 +140,7 @@ def test_ctrl_c_leaves_a_readable_file(command, tmp_path):
         time.sleep(0.05)
     time.sleep(0.5)
     run.send_signal(signal.SIGINT)
-    assert run.wait(60) == 130, run.stderr.read()
+    assert run.wait(900) == 130, run.stderr.read()
     with h5py.File(tmp_path / "long.h5md") as file:
         assert np.isfinite(file["particles/trajectory/position/value"][:]).all()
 

@@ -338,7 +338,7 @@ def test_pymol_runs_the_script(tmp_path, analysed):
         cwd=tmp_path / "out",
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=900,
         env={"PATH": "/usr/bin:/bin"},
     )
     assert "Error" not in done.stdout + done.stderr

@@ -28,13 +28,16 @@ def test_no_worker_is_reported_once(capfd, monkeypatch):
     from distributed import LocalCluster
     from pliant.ensemble import cluster as places
 
+    is_lonely, looks = places._is_lonely, []
     monkeypatch.setattr(places, "_REGROW_SECONDS", 0.1)
     monkeypatch.setattr(places, "_IDLE_SECONDS", 0.3)
+    monkeypatch.setattr(places, "_is_lonely", lambda one: looks.append(one) or is_lonely(one))
     with (
         LocalCluster(n_workers=0, dashboard_address=None) as cluster,
         places.open_place(None, cluster.scheduler_address, None, 1),
     ):
-        time.sleep(1.5)
+        while len(looks) < 12:
+            time.sleep(0.02)
     lines = [line for line in capfd.readouterr().err.splitlines() if "no worker for" in line]
     assert len(lines) == 1
     assert "jobs wait in their queue, or end before they begin" in lines[0]

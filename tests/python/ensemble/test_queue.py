@@ -129,10 +129,10 @@ def test_jobs_end_with_the_command(tmp_path, settings, how):
     jobs = jobs_in(tmp_path)
     assert jobs
     client.send_signal(how)
-    _, err = client.communicate(timeout=60)
+    _, err = client.communicate(timeout=900)
     if how == signal.SIGTERM:
         assert (client.returncode, err) == (143, b"pliant ensemble: ended by SIGTERM\n")
-    assert not psutil.wait_procs(jobs, timeout=60)[1]
+    assert not psutil.wait_procs(jobs, timeout=900)[1]
 
 
 @pytest.mark.parametrize(

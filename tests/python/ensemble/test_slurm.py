@@ -54,7 +54,7 @@ def commands_of(folder):
     return found
 
 
-def wait_for(what, slurm, seconds=120):
+def wait_for(what, slurm, seconds=900):
     end = time.monotonic() + seconds
     while not (found := what()):
         assert time.monotonic() < end, slurm.call("scontrol", "show", "jobs")

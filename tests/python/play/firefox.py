@@ -69,14 +69,14 @@ class Firefox:
         self._open.close()
         for process in (self.process, self.screen):
             process.terminate()
-            process.wait(60)
+            process.wait(900)
 
     def ask(self, method, **params):
         """The result of a command; events are passed over."""
         number = next(self._numbers)
         self.socket.send(json.dumps({"id": number, "method": method, "params": params}))
         while True:
-            reply = json.loads(self.socket.recv(timeout=120))
+            reply = json.loads(self.socket.recv(timeout=900))
             if reply.get("id") == number:
                 assert reply["type"] == "success", reply
                 return reply["result"]

@@ -56,11 +56,11 @@ class Served:
 
         self.thread = threading.Thread(target=work, daemon=True)
         self.thread.start()
-        assert shown.wait(60)
+        assert shown.wait(900)
         self.host = urlsplit(self.address).netloc
 
     def ask(self, path=None, host=None, method="GET"):
-        connection = http.client.HTTPConnection(self.host, timeout=20)
+        connection = http.client.HTTPConnection(self.host, timeout=900)
         path = urlsplit(self.address).path if path is None else path
         connection.request(method, path, headers={"Host": host} if host else {})
         reply = connection.getresponse()
@@ -71,7 +71,7 @@ class Served:
         return sync_client.connect(live, origin=origin or f"http://{self.host}", **more)
 
     def end(self):
-        self.thread.join(60)
+        self.thread.join(900)
         return self.code
 
 
@@ -85,7 +85,7 @@ def bridged(folder, *options):
 def asked(talk):
     """The next frame: step, residual and positions; or what is said in place of it."""
     talk.send('{"do": "next"}')
-    message = talk.recv(timeout=60)
+    message = talk.recv(timeout=900)
     if isinstance(message, str):
         return json.loads(message)
     numbers = np.frombuffer(message, "<f8", NUMBERS)
@@ -158,8 +158,8 @@ def test_a_page_that_asks_for_nothing_holds_nothing_up(tmp_path):
 def test_the_end_is_reported_to_a_page_that_asks_for_nothing(tmp_path):
     with bridged(tmp_path) as (run, served), served.talk() as talk:
         run.process.send_signal(signal.SIGINT)
-        assert len(talk.recv(timeout=60)) > 8 * NUMBERS  # the last frame
-        assert json.loads(talk.recv(timeout=60)) == {"over": "the run has ended", "ended": True}
+        assert len(talk.recv(timeout=900)) > 8 * NUMBERS  # the last frame
+        assert json.loads(talk.recv(timeout=900)) == {"over": "the run has ended", "ended": True}
         talk.close()
         assert served.end() == 0
 
@@ -231,7 +231,7 @@ def test_what_no_page_says_costs_the_page_its_connection_and_nothing_else(tmp_pa
             with served.talk() as talk:
                 talk.send(message)
                 with pytest.raises(ConnectionClosed) as closed:
-                    talk.recv(timeout=20)
+                    talk.recv(timeout=900)
                 assert closed.value.rcvd.code in (1007, 1008, 1009), message
         with served.talk() as talk:
             assert asked(talk)[0] >= 0
@@ -241,7 +241,7 @@ def test_what_no_page_says_costs_the_page_its_connection_and_nothing_else(tmp_pa
 def told_of_pulls(talk):
     """What others pull with, once a page is told."""
     while True:
-        said = talk.recv(timeout=20)
+        said = talk.recv(timeout=900)
         if isinstance(said, str):
             return json.loads(said)["pulls"]
 
@@ -302,7 +302,7 @@ def test_a_connection_that_is_lost_is_no_end(capsys):
 
 def talk_frame(talk):
     talk.send('{"do": "next"}')
-    return talk.recv(timeout=60)
+    return talk.recv(timeout=900)
 
 
 def test_another_molecule_is_refused(tmp_path, capsys):

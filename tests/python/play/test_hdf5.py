@@ -35,7 +35,7 @@ LONG = {"endless": {"maxshape": (None,)}, "ended": {}}  # enough chunks for page
 
 def asked(*words):
     done = subprocess.run(
-        ["node", SCRIPT, *map(str, words)], capture_output=True, text=True, timeout=280
+        ["node", SCRIPT, *map(str, words)], capture_output=True, text=True, timeout=900
     )
     assert done.returncode == 0, done.stderr[-3000:]
     return json.loads(done.stdout)

@@ -55,7 +55,7 @@ def node(script, *words, timeout):
 # What each file of tests does, by the word that chooses it.
 @pytest.mark.parametrize("tests", sorted(file.name[:-4] for file in TESTS.glob("*.page.mjs")))
 def test_what_a_person_does(tests):
-    done = node("run.mjs", tests, timeout=300)
+    done = node("run.mjs", tests, timeout=900)
     assert done.returncode == 0, done.stdout[-4000:]
 
 
@@ -70,7 +70,7 @@ def session(tmp_path_factory):
 
 
 def made(molecule, folder, *settings):
-    done = node("from_python/make_session.mjs", molecule, folder, *settings, timeout=280)
+    done = node("from_python/make_session.mjs", molecule, folder, *settings, timeout=900)
     assert done.returncode == 0, done.stderr[-4000:]
     return folder, json.loads(done.stdout)
 

@@ -35,7 +35,7 @@ def server():
 
 
 def ask(server, path, host=None, method="GET"):
-    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=900)
     connection.request(method, path, headers={"Host": host} if host else {})
     reply = connection.getresponse()
     return reply.status, reply.read(), reply

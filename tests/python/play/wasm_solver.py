@@ -30,7 +30,7 @@ class Solver:
 
     def __exit__(self, *_):
         self.node.stdin.close()
-        self.node.wait(60)
+        self.node.wait(900)
 
     def ask(self, what, **fields):
         """The reply; a failed one raises ValueError with its text."""

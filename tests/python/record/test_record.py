@@ -270,7 +270,7 @@ def test_a_forked_process_neither_hangs_nor_writes(tmp_path):
         [sys.executable, "-c", FORKS, tmp_path / "out.h5md", tmp_path / "child"],
         capture_output=True,
         text=True,
-        timeout=300,
+        timeout=900,
         check=False,
     )
     assert (done.returncode, done.stdout) == (0, "20 True True\n"), done.stderr

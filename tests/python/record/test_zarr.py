@@ -17,7 +17,7 @@ xarray = pytest.importorskip("xarray")
 def call(*words):
     """In a process that was not forked from one in which the threads of Zarr were."""
     words = [str(word) for word in (COMMAND, *words)]
-    return subprocess.run(words, capture_output=True, text=True, timeout=120)
+    return subprocess.run(words, capture_output=True, text=True, timeout=900)
 
 
 @pytest.fixture(scope="module")

@@ -330,7 +330,7 @@ def test_hostile_clients_lose_their_connection_not_the_run(tmp_path):
     options = ("--steps", "200", "--imd-wait")
     with served_run(COMMAND, tmp_path, *options, molecule="alanine_dipeptide.pdb") as run:
         for bytes_sent in HOSTILE.values():
-            with socket.create_connection(("127.0.0.1", run.port), timeout=60) as hostile:
+            with socket.create_connection(("127.0.0.1", run.port), timeout=900) as hostile:
                 hostile.recv(23, socket.MSG_WAITALL)
                 hostile.sendall(struct.pack(">ii", GO, 0) + bytes_sent)
                 try:

@@ -23,8 +23,8 @@ def call(*words, **options):
     """Runs pliant with these words; the process that has ended."""
     words = [*map(str, words)]
     if is_forkable(words, **options):
-        return ended_command(words, timeout=280, **options)
-    return subprocess.run([COMMAND, *words], capture_output=True, text=True, timeout=280, **options)
+        return ended_command(words, timeout=900, **options)
+    return subprocess.run([COMMAND, *words], capture_output=True, text=True, timeout=900, **options)
 
 
 def made(*words, code=0, **options):

@@ -63,7 +63,7 @@ class Slurm:
     def call(self, *words):
         """What a command of Slurm prints."""
         ended = subprocess.run(
-            [*map(str, words)], env=self.environment, capture_output=True, text=True, timeout=60
+            [*map(str, words)], env=self.environment, capture_output=True, text=True, timeout=900
         )
         assert ended.returncode == 0, f"{words}: {ended.stderr}"
         return ended.stdout
@@ -134,7 +134,7 @@ def _running(words, environment):
 
 
 def _wait_for(is_there, daemon):
-    end = time.monotonic() + 30
+    end = time.monotonic() + 900
     while not is_there():
         assert daemon.poll() is None and time.monotonic() < end, daemon.args
         time.sleep(0.05)
@@ -145,7 +145,7 @@ def _die_with_parent():
 
 
 def _wait_for_node(slurm):
-    end = time.monotonic() + 60
+    end = time.monotonic() + 900
     while True:
         with contextlib.suppress(AssertionError):
             if slurm.call("sinfo", "--noheader", "--format=%t").strip() == "idle":

@@ -82,7 +82,7 @@ class Page:
             raise AssertionError(f"{expression}: {answer['exceptionDetails']}")
         return answer["result"].get("value")
 
-    def wait_for(self, expression, seconds=60):
+    def wait_for(self, expression, seconds=900):
         """Waits until a JavaScript expression is true."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:

@@ -56,7 +56,7 @@ class Forks:
 
     def end(self):
         self.process.stdin.close()
-        self.process.wait(60)
+        self.process.wait(900)
 
     def run(self, job, timeout):
         """Code, standard output and error of a job: {"code" or "command": ...}."""
@@ -88,7 +88,7 @@ def surroundings(cwd, env):
     return {"cwd": str(cwd or os.getcwd()), "env": dict(os.environ if env is None else env)}
 
 
-def ended_code(text, *modules, cwd=None, env=None, timeout=120):
+def ended_code(text, *modules, cwd=None, env=None, timeout=900):
     """What python -c would give, where some modules are imported already."""
     job = {"code": text, **surroundings(cwd, env)}
     return subprocess.CompletedProcess(["-c", text], *forks(*modules).run(job, timeout))
@@ -101,7 +101,7 @@ def is_forkable(words, env=None, cwd=None, timeout=None, **others):
     return bool(words) and words[0] in commands() and changed <= LATE_VARIABLES and not others
 
 
-def ended_command(words, cwd=None, env=None, timeout=120):
+def ended_command(words, cwd=None, env=None, timeout=900):
     """What the command `pliant WORDS` would give, which is_forkable()."""
     job = {"command": commands()[words[0]], "words": [*words], **surroundings(cwd, env)}
     return subprocess.CompletedProcess(["pliant", *words], *forks(*HEAVY).run(job, timeout))

@@ -37,7 +37,7 @@ class Job:
         raise AssertionError(f"ended without {pattern}: {self.said}")
 
     def end(self):
-        out, err = self.process.communicate(timeout=120)
+        out, err = self.process.communicate(timeout=900)
         return self.process.returncode, out, self.said + err
 
 
@@ -48,7 +48,7 @@ def job(words, folder):
         yield started
     finally:
         started.process.kill()
-        started.process.wait(timeout=60)
+        started.process.wait(timeout=900)
         for stream in (started.process.stdout, started.process.stderr):
             stream.close()  # not read to the end: whoever else holds it would be waited for
 
@@ -84,7 +84,7 @@ class VmdLike:
     """
 
     def __init__(self, port):
-        self.socket = socket.create_connection(("127.0.0.1", port), timeout=60)
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout=900)
         kind, version = struct.unpack(">ii", self.take(8))
         assert kind == HANDSHAKE
         swapped = struct.unpack("<i", struct.pack(">i", version))[0]
