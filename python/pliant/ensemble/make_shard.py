@@ -103,7 +103,8 @@ def _call(words: list[str], deadline: float | None = None) -> str:
             raise
     if command.returncode in _WITH_FRAMES:
         return out
-    if deadline is not None and command.returncode == EXIT_INTERRUPTED:
+    # -_END: told before it had begun to listen, as on a busy machine
+    if deadline is not None and command.returncode in (EXIT_INTERRUPTED, -_END):
         raise OutOfTimeError
     why = (err.strip().splitlines() or [f"ended with {command.returncode}"])[0]
     why = re.sub(r"^pliant( \w+)?: error: ", "", why)

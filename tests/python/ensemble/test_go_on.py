@@ -12,8 +12,9 @@ import pytest
 from commit_logs import steps_in
 from ensembles import COMMAND, PEPTIDE, call, made, shards_of, start
 from pliant.ensemble.commits import take_log
+from pliant.ensemble.make_shard import Making, make_shard
 from pliant.ensemble.plan import load_plan
-from pliant.ensemble.time_limit import deadline_of, parse_walltime
+from pliant.ensemble.time_limit import OutOfTimeError, deadline_of, parse_walltime
 
 from pliant import OptionError
 
@@ -159,6 +160,13 @@ def test_a_signal_to_the_ensemble_has_its_shards_committed(tmp_path, how):
     made(PEPTIDE, "-o", folder, *words)
     made(PEPTIDE, "-o", tmp_path / "whole", *words)
     assert same_bytes(folder, tmp_path / "whole")
+
+
+def test_a_time_that_is_over_at_once_is_no_failure(planned):
+    """The signal comes before the command listens to it."""
+    plan = load_plan(planned)
+    with pytest.raises(OutOfTimeError):
+        make_shard(plan, plan.shard(0), str(planned), Making(deadline=0.0))
 
 
 def test_one_of_two_takes_a_log(planned):
