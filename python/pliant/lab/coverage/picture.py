@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 DRAWN = {"ANM": VERMILION, "reach": BLUE}  #: ensembles, if they were measured
+NAMES = {"reach": "Pliant (sampler reach)"}  #: in the legend, of those that are no name by itself
 
 
 def draw(found: Coverage, path: str | os.PathLike[str]) -> None:
@@ -32,8 +33,11 @@ def draw(found: Coverage, path: str | os.PathLike[str]) -> None:
 def _panel(axes: Axes, rows: list[Nearest]) -> None:
     kind, frames = rows[0].kind, rows[0].frames
     furthest = 1.05 * max(row.at_start for row in rows)
-    axes.plot([0, furthest], [0, furthest], color=GREY, linestyle=DASHED, label="the start")
-    axes.axhspan(0, COVERED[kind], color=GREY, alpha=0.25, linewidth=0)
+    axes.plot(
+        [0, furthest], [0, furthest], color=GREY, linestyle=DASHED, label="no nearer than the start"
+    )
+    within = f"within {COVERED[kind]:g} Å: found"
+    axes.axhspan(0, COVERED[kind], color=GREY, alpha=0.25, linewidth=0, label=within)
     for name in DRAWN if any(row.ensemble in DRAWN for row in rows) else {rows[0].ensemble: BLUE}:
         mine = [row for row in rows if row.ensemble == name]
         if not mine:
@@ -45,12 +49,12 @@ def _panel(axes: Axes, rows: list[Nearest]) -> None:
             "o",
             color=DRAWN.get(name, BLUE),
             markersize=5,
-            label=f"{name}: {covered} of {len(mine)}",
+            label=f"{NAMES.get(name, name)}: {covered} of {len(mine)} found",
         )
     axes.set(
         title=f"{kind}, {frames} frames",
-        xlabel="distance of the two known structures (Å)",
-        ylabel="nearest frame (Å)",
+        xlabel="distance between the two known structures (Å)",
+        ylabel="distance of the nearest frame (Å)",
         xlim=(0, furthest),
         ylim=(0, furthest),
     )

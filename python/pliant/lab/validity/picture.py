@@ -22,12 +22,18 @@ PROFILES = {
     "HIV-PR": ("HIV-1 protease: which residues move", "MD"),
 }
 OVERLAP = "cumulative overlap of 10"
+#: One motion measured twice, from other files of the same two states: the row of the pair is not
+#: drawn where the kinase has its own.
+SAME_MOTION = {
+    "P69441, 4AKE_A to 1AKE_A": "AdK, open to closed",
+    "P69441, 1AKE_A to 4AKE_A": "AdK, closed to open",
+}
 
 
 def draw(found: Validity, path: str | os.PathLike[str]) -> None:
     """Writes a PNG. Raises InputError where there is nothing to draw."""
     systems = [name for name in PROFILES if name in found.profiles]
-    overlaps = [row for row in found.rows if row.figure == OVERLAP and math.isfinite(row.ours)]
+    overlaps = motions_of(found.rows)
     count = len(systems) + bool(overlaps)
     if count == 0:
         raise InputError("--output: no row that the picture shows was measured")
@@ -37,6 +43,13 @@ def draw(found: Validity, path: str | os.PathLike[str]) -> None:
         if overlaps:
             _overlaps(axes[0][-1], overlaps)
         save(plot, path)
+
+
+def motions_of(rows: list[Row]) -> list[Row]:
+    """The overlaps that were measured, one for each known motion."""
+    overlaps = [row for row in rows if row.figure == OVERLAP and math.isfinite(row.ours)]
+    names = {row.system for row in overlaps}
+    return [row for row in overlaps if SAME_MOTION.get(row.system) not in names]
 
 
 def _profiles(axes: Axes, found: Validity, name: str) -> None:

@@ -20,6 +20,7 @@ from pliant.lab.validity import ladder, sources  # noqa: E402
 from pliant.lab.validity.cases import CROWDED, FLUCTUATIONS, STATES  # noqa: E402
 from pliant.lab.validity.goals import goal_of  # noqa: E402
 from pliant.lab.validity.peers import gnm_fluctuations  # noqa: E402
+from pliant.lab.validity.picture import motions_of  # noqa: E402
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of  # noqa: E402
 from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity  # noqa: E402
 from pliant.lab.validity.subject import Subject  # noqa: E402
@@ -247,6 +248,13 @@ def test_the_command_writes_csv_and_a_picture(packages, capsys, tmp_path):
     assert rows[0]["figure"] == "cumulative overlap of 10"
     assert float(rows[0]["anm"]) == pytest.approx(0.733, abs=0.003)
     assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_picture_has_each_motion_once():
+    names = ["AdK, open to closed", "P69441, 1AKE_A to 4AKE_A", "P69441, 4AKE_A to 1AKE_A"]
+    rows = [Row(name, "cumulative overlap of 10", 0.9) for name in names]
+    assert motions_of(rows) == rows[:2], "4AKE to 1AKE is drawn as AdK, open to closed"
+    assert motions_of(rows[1:]) == rows[1:]
 
 
 @pytest.mark.long
