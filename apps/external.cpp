@@ -10,6 +10,7 @@
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/base/system/process.hpp"
 #include "pliant/base/system/program_folders.hpp"
+#include "pliant/base/system/signals.hpp"
 
 namespace pliant::app {
 namespace {
@@ -55,6 +56,8 @@ int run_program(const std::string& name, const Arguments& arguments) {
     return exit_failed;
   }
   std::fflush(nullptr);
+  // It answers each of them with an exit code of its own, once Python has started.
+  if (name == "ensemble") hold_requests_to_end();
   become_program(path, arguments);
   fail_to_run(path);
 }

@@ -97,7 +97,7 @@ from pliant._display import show_in_notebooks
 from pliant._ensemble import run_ensemble
 from pliant._laboratory import leave_out
 from pliant._late import import_after
-from pliant._refusals import give_signatures
+from pliant._refusals.signatures import give_signatures
 from pliant._run import continue_run, run
 from pliant._trajectory.results import RunResult, SampledEnsemble, SampleResult
 from pliant._trajectory.trajectory import Trajectory

@@ -40,9 +40,9 @@ def _is_pair(value: Any, annotation: str) -> bool:
     return fits(value, "tuple") and len(value) == 2 and all(fits(one, annotation) for one in value)
 
 
-def having(attribute: str, words: str, takes_none: bool = True) -> Wanted:
+def having(attribute: str, words: str) -> Wanted:
     """Objects of another package, known by an attribute; that package may not be there."""
-    return Wanted(words, lambda x: hasattr(x, attribute), TypeError, takes_none)
+    return Wanted(words, lambda x: hasattr(x, attribute), TypeError, takes_none=False)
 
 
 SEED = whole(0, 2**64 - 1)

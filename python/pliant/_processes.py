@@ -10,7 +10,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from multiprocessing.connection import wait
 
 _DIE_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
@@ -37,21 +37,38 @@ def _end_after(sentinel: int) -> None:
 
 
 @contextlib.contextmanager
-def ended_by_sigterm(command: str) -> Iterator[None]:
-    """SIGTERM unwinds like Ctrl-C, so that whatever the command has started ends with it."""
+def ended_by_signals(command: str, others: Mapping[str, int] | None = None) -> Iterator[None]:
+    """SIGTERM and SIGHUP unwind like Ctrl-C, so that whatever the command has started ends with it.
 
-    def end(number: int, frame: object) -> None:
-        print(f"pliant {command}: ended by SIGTERM", file=sys.stderr)
-        raise SystemExit(128 + number)
-
+    So do the signals named in `others`, with an exit code each: the same command then goes on. What
+    whoever started the command has ignored (nohup) stays ignored. Signals that `pliant` has held
+    back while Python started come now.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield  # which alone hears signals
         return
-    before = signal.signal(signal.SIGTERM, end)
+    codes = {"SIGTERM": 128 + signal.SIGTERM, "SIGHUP": 129, **(others or {})}
+    numbers = [getattr(signal, name) for name in codes if hasattr(signal, name)]
+
+    def end(number: int, frame: object) -> None:
+        for one in numbers:  # it may come again, which must not disturb the end
+            signal.signal(one, signal.SIG_IGN)
+        name = signal.Signals(number).name
+        again = ": the same command goes on" if name in (others or {}) else ""
+        print(f"pliant {command}: ended by {name}{again}", file=sys.stderr)
+        raise SystemExit(codes[name])
+
+    before = {one: signal.getsignal(one) for one in numbers}
+    heard = [one for one in numbers if before[one] != signal.SIG_IGN]
+    for one in heard:
+        signal.signal(one, end)
     try:
+        if hasattr(signal, "pthread_sigmask"):
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, [*numbers, signal.SIGINT])
         yield
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for one in heard:
+            signal.signal(one, before[one])
 
 
 def die_with_parent(parent: int, end: int) -> None:

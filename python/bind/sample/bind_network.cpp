@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Elastic networks: their table, their modes, and the B factors that they give.
 #include "arrays.hpp"
+#include "molecule/structure.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/sample/network/b_factors.hpp"
 #include "pliant/sample/network/mode_field.hpp"
@@ -14,7 +15,8 @@ namespace {
 using Directions = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
 
 nb::tuple modes_of(const nb::handle& structure, const std::string& network, std::size_t count) {
-  const auto& from = nb::cast<const Structure&>(structure);
+  const nb::object given = structure_from(structure);
+  const auto& from = nb::cast<const Structure&>(given);
   const NetworkNodes nodes = nodes_of(from);
   check(nodes, from.size());
   const NetworkModes modes = network_modes(nodes, network, count);
@@ -30,7 +32,8 @@ nb::tuple modes_of(const nb::handle& structure, const std::string& network, std:
 
 /// Residues alone: waters are everywhere in crystals, and ligands are no part of the chain.
 nb::tuple b_factors_of(const nb::handle& structure) {
-  const auto& from = nb::cast<const Structure&>(structure);
+  const nb::object given = structure_from(structure);
+  const auto& from = nb::cast<const Structure&>(given);
   const ResidueNodes found = residue_nodes(from);
   NetworkNodes nodes;
   std::vector<std::int64_t> atoms;
@@ -66,7 +69,8 @@ nb::object b_factors_at(const ArrayLike& positions, const OptionalArray& chains)
 
 PositionsView field_of(const nb::handle& structure, std::int64_t mode, double amplitude,
                        const std::string& network) {
-  const auto& from = nb::cast<const Structure&>(structure);
+  const nb::object given = structure_from(structure);
+  const auto& from = nb::cast<const Structure&>(given);
   if (mode < 1) throw OptionError("mode = " + std::to_string(mode) + ": must be from 1");
   return new_positions(mode_field(nodes_of(from), from.positions, static_cast<std::size_t>(mode),
                                   amplitude, network));
@@ -180,19 +184,20 @@ void bind_network(nb::module_& module) {
   module.def(
       "networks", [] { return rows_of(networks()); }, nb::rv_policy::reference,
       "The table of elastic networks that ``sample`` knows.");
-  module.def("network_modes", &modes_of, "structure"_a, "network"_a = "shared",
-             "count"_a = usual_mode_count,
-             nb::sig("def network_modes(structure: Structure, network: str = \"shared\", "
-                     "count: int = 60) -> tuple[numpy.typing.NDArray[numpy.float64], "
-                     "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
-             modes_doc);
-  module.def("mode_field", &field_of, "structure"_a, "mode"_a, "amplitude"_a = 1.0,
-             "network"_a = "shared",
-             nb::sig("def mode_field(structure: Structure, mode: int, amplitude: float = 1.0, "
-                     "network: str = \"shared\") -> numpy.typing.NDArray[numpy.float64]"),
-             field_doc);
+  module.def(
+      "network_modes", &modes_of, "structure"_a, "network"_a = "shared",
+      "count"_a = usual_mode_count,
+      nb::sig("def network_modes(structure: Structure | Molecule, network: str = \"shared\", "
+              "count: int = 60) -> tuple[numpy.typing.NDArray[numpy.float64], "
+              "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
+      modes_doc);
+  module.def(
+      "mode_field", &field_of, "structure"_a, "mode"_a, "amplitude"_a = 1.0, "network"_a = "shared",
+      nb::sig("def mode_field(structure: Structure | Molecule, mode: int, amplitude: float = 1.0, "
+              "network: str = \"shared\") -> numpy.typing.NDArray[numpy.float64]"),
+      field_doc);
   module.def("estimate_b_factors", &b_factors_of, "structure"_a,
-             nb::sig("def estimate_b_factors(structure: Structure) -> "
+             nb::sig("def estimate_b_factors(structure: Structure | Molecule) -> "
                      "tuple[numpy.typing.NDArray[numpy.float64], "
                      "numpy.typing.NDArray[numpy.int64]]"),
              b_factors_doc);

@@ -14,6 +14,7 @@ import numpy.typing as npt
 from pliant import _core
 from pliant._core import InputError, Structure
 from pliant._extras import needed_by
+from pliant._input_files import expect_file
 from pliant._trajectory.sources import H5MD, kind_of, later, structure_of
 
 Positions = npt.NDArray[np.float64]
@@ -224,4 +225,6 @@ def _of_path(path: Path, topology: Any) -> Frames:
         return FramesOfModels(path)
     with needed_by("pliant.Trajectory"):
         import MDAnalysis
+    for file in (topology, path):
+        expect_file(file)
     return FramesOfUniverse(MDAnalysis.Universe(os.fspath(topology), str(path)))

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
 
-@checked(molecule=having("GetConformers", _WANTED, takes_none=False))
+@checked(molecule=having("GetConformers", _WANTED))
 def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
     """Return an RDKit molecule as a structure: its atoms, bonds with orders, and one conformer.
 

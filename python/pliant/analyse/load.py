@@ -16,6 +16,7 @@ import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds 
 from pliant import _core, _hdf5
 from pliant._core import InputError
 from pliant._hdf5.expansion import check_stored
+from pliant._input_files import expect_file
 from pliant._trajectory.frames import check_atoms
 
 if TYPE_CHECKING:
@@ -52,6 +53,7 @@ def _check_file(path: Path) -> None:
         raise InputError(f"{path}: no such file")
     if path.is_dir():
         raise InputError(f"{path}: is a folder, expected a trajectory file")
+    expect_file(path)
     if path.is_file() and path.stat().st_size == 0:
         raise InputError(f"{path}: is empty")
     if path.suffix.lower() not in (".h5md", ".h5", ".hdf5"):

@@ -13,6 +13,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
+from pliant._input_files import expect_file
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
@@ -35,6 +36,7 @@ def open_universe(*files: str | os.PathLike[str]) -> Universe:
     for file in files:
         if not os.path.exists(file):
             raise InputError(f"{os.fspath(file)}: no such file")
+        expect_file(file)
         if os.path.isfile(file) and os.path.getsize(file) == 0:
             raise InputError(f"{os.fspath(file)}: is empty")
         if h5py.is_hdf5(file):

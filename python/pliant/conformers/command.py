@@ -11,7 +11,7 @@ from pathlib import Path
 from pliant import console
 from pliant._core import FileError, OptionError
 from pliant._extras import need
-from pliant._processes import ended_by_sigterm, usual_workers
+from pliant._processes import ended_by_signals, usual_workers
 from pliant.conformers.core import A_CONFORMER, FRAMES
 from pliant.conformers.journal import Journal
 from pliant.conformers.library import Source, begin, complete, resume, what_was_asked
@@ -132,7 +132,7 @@ def _conformers(arguments: argparse.Namespace) -> int:
 
     try:
         with (
-            ended_by_sigterm("conformers"),
+            ended_by_signals("conformers"),
             console.progress("molecules", is_quiet, rate=True) as show,
         ):
             found = complete(journal, arguments.threads, on_done)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import contextlib
 import importlib.util
 import logging
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from pliant._core import OptionError
 from pliant._extras import need
 from pliant._processes import usual_workers
 from pliant.console import warn
+from pliant.ensemble.make_shard import END_SECONDS
 from pliant.ensemble.queue_jobs import Queue
 
 #: Workers that die with a shard before it is given up: a machine that fails takes many along.
@@ -41,6 +43,8 @@ class Place:
     client: Any  #: of Dask
     #: raises InputError with what a queue said that took no job; else returns
     expect_workers: Callable[[], None] = lambda: None
+    #: what its workers have started on this machine ends so many seconds after them at most
+    end_seconds: float = 0.0
 
 
 @contextlib.contextmanager
@@ -71,7 +75,9 @@ def open_place(
     else:
         made, grow = _local(min(workers or usual_workers(), shards))
     with made as place, Client(place, set_as_default=False) as client, _watched(client, grow):
-        yield Place(client, queue.expect_jobs) if queue else Place(client)
+        # On Linux commands end with their workers, after a commit.
+        here = Place(client, end_seconds=END_SECONDS if sys.platform == "linux" else 0.0)
+        yield Place(client, queue.expect_jobs) if queue else here
 
 
 @contextlib.contextmanager

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from pliant._core import Error, OptionError
 from pliant._extras import need
-from pliant._processes import ended_by_sigterm
+from pliant._processes import ended_by_signals
 from pliant.console import (
     EXIT_FAILED,
     EXIT_OK,
@@ -41,7 +41,7 @@ from pliant.ensemble.plan import (
     write_whole,
 )
 from pliant.ensemble.slurm_script import slurm_script
-from pliant.ensemble.time_limit import EXIT_AGAIN, OutOfTimeError, deadline_of, ended_by_sigusr1
+from pliant.ensemble.time_limit import EXIT_AGAIN, OutOfTimeError, deadline_of
 from pliant.ensemble.verify import verify
 
 EXIT_UNCONVERGED = 3
@@ -50,10 +50,15 @@ EXIT_UNCONVERGED = 3
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    # What an option is followed by is only known once the input is out of the way.
-    file = words[0] if words and not words[0].startswith("-") else None
-    options, passed_on = ensemble_parser().parse_known_args(words[1:] if file else words)
-    return run_command("ensemble", lambda: _in_time(file, options, passed_on, words))
+    return run_command("ensemble", lambda: _main(words))
+
+
+def _main(words: list[str]) -> int:
+    with ended_by_signals("ensemble", {"SIGUSR1": EXIT_AGAIN}):
+        # What an option is followed by is only known once the input is out of the way.
+        file = words[0] if words and not words[0].startswith("-") else None
+        options, passed_on = ensemble_parser().parse_known_args(words[1:] if file else words)
+        return _in_time(file, options, passed_on, words)
 
 
 def _in_time(
@@ -83,13 +88,12 @@ def _ensemble(
     folder = Path(options.output)
     if options.only is not None:
         _expect_no_more(file, passed_on, "--only")
-        with ended_by_sigterm("ensemble"), ended_by_sigusr1("ensemble"):
-            return _make_one(folder, options)
+        return _make_one(folder, options)
     if options.slurm_script is None and not (folder / PLAN).exists():
         need("pliant ensemble", "dask", "distributed")  # before anything is made
     _expect_one_place(options)
     plan = _plan(file, options, passed_on)
-    with alone_in(folder), ended_by_sigterm("ensemble"), ended_by_sigusr1("ensemble"):
+    with alone_in(folder):
         if options.slurm_script is not None:
             return _write_script(plan, folder, options, words)
         return _make_all(plan, folder, options)

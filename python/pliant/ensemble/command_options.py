@@ -6,9 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from pliant.console import Parser, positive_number, whole_number
+from pliant.ensemble.plan import MOST
 from pliant.ensemble.scratch import USUAL
-
-MOST = 10**9
 
 DESCRIPTION = """\
 Runs many walkers (pliant run), or samples many frames (pliant sample), in shards that share the

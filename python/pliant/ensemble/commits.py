@@ -41,11 +41,6 @@ def remove_logs(folder: Path, shard: Shard) -> None:
         log.unlink(missing_ok=True)
 
 
-def is_log(path: Path) -> bool:
-    """Whether the file is a log of commits, by its name."""
-    return path.name.endswith(LOG)
-
-
 def _with_sizes(logs: Iterable[Path]) -> list[tuple[int, Path]]:
     found = []
     for log in logs:

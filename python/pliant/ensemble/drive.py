@@ -15,12 +15,13 @@ from typing import Any
 from pliant._core import Error, InputError, OptionError
 from pliant.console import warn
 from pliant.ensemble.cluster import Place
-from pliant.ensemble.commits import is_log, remove_logs
+from pliant.ensemble.commits import remove_logs
 from pliant.ensemble.inspect_shard import ShardRecord, check_shard
 from pliant.ensemble.make_shard import Making, make_shard
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.over_shards import in_threads
-from pliant.ensemble.plan import MAKING, NO_SHARD, EnsemblePlan, Shard, strangers
+from pliant.ensemble.plan import NO_SHARD, EnsemblePlan, Shard, shards_there, strangers
+from pliant.ensemble.scratch import making_in, place_of, remove_left
 from pliant.ensemble.time_limit import OutOfTimeError
 
 #: Shards that the scheduler knows of at once: it need not hold 10^5 to keep hundreds of workers.
@@ -76,14 +77,15 @@ def complete(
     shard that failed for good has said. All shards that were whole by then stay, and are found the
     next time, as is what the others have committed.
     """
-    began = time.monotonic()
+    began, how = time.monotonic(), how or Making()
     manifest = Manifest(folder, plan)
+    _tidy(folder, how)
     outcome = Outcome(plan, folder)
     missing = _take_stock(plan, folder, manifest, show)
     outcome.found = plan.shard_count - len(missing)
     show(outcome.found, plan.shard_count)
     if missing:
-        with place(len(missing)) as opened:
+        with _left_tidy(place, len(missing), folder, how) as opened:
             for record in made_by(opened, partial(make, how=how), plan, folder, missing, retries):
                 manifest.add(record)
                 outcome.made += 1
@@ -93,6 +95,34 @@ def complete(
     return outcome
 
 
+def _tidy(folder: Path, how: Making, owner: str = "", wait: float = 0.0) -> None:
+    """Removes what killed processes have left of shards, here and on the scratch disk.
+
+    Jobs on other machines do so there.
+    """
+    remove_left(making_in(folder), folder, owner, wait)
+    if how.scratch is not None:
+        with contextlib.suppress(OptionError):  # a disk that other machines have
+            remove_left(place_of(folder, how.scratch), folder, owner, wait)
+
+
+@contextlib.contextmanager
+def _left_tidy(
+    place: Callable[[int], contextlib.AbstractContextManager[Place]],
+    shards: int,
+    folder: Path,
+    how: Making,
+) -> Iterator[Place]:
+    """Where shards are made. At its end nothing is left here of those that are not whole."""
+    wait = 0.0
+    try:
+        with place(shards) as opened:
+            wait = opened.end_seconds
+            yield opened
+    finally:
+        _tidy(folder, how, how.owner, wait)
+
+
 def _take_stock(
     plan: EnsemblePlan, folder: Path, manifest: Manifest, show: Progress
 ) -> list[Shard]:
@@ -100,10 +130,7 @@ def _take_stock(
 
     One that is damaged, or in the place of another, is removed: the same bits will be made again.
     """
-    for path in (folder / MAKING).glob("*"):
-        if not is_log(path):
-            path.unlink(missing_ok=True)  # of workers that were killed
-    there = [shard for shard in plan.shards() if (folder / shard.name).exists()]
+    there = shards_there(folder, plan)
     bad = set()
     for done, (shard, found) in enumerate(_checked(plan, folder, there, manifest), 1):
         if isinstance(found, str):

@@ -8,10 +8,12 @@ import re
 import signal
 import subprocess
 import sys
+import uuid
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
+from typing import BinaryIO
 
 from pliant._core import Error, InputError, OptionError
 from pliant._processes import die_with_parent
@@ -19,7 +21,7 @@ from pliant.console import EXIT_INTERRUPTED, command_path, warn
 from pliant.ensemble.commits import remove_logs, take_log
 from pliant.ensemble.inspect_shard import ShardRecord, check_shard, inspect_shard
 from pliant.ensemble.plan import EnsemblePlan, Shard
-from pliant.ensemble.scratch import partial_name, publish
+from pliant.ensemble.scratch import Unfinished, place_of, publish, remove_left, unfinished
 from pliant.ensemble.time_limit import OutOfTimeError, seconds_left
 
 _WITH_FRAMES = (0, 3)  #: exit codes of a command that has written all that it could
@@ -29,7 +31,7 @@ _BAD_OPTION = 2
 _END = getattr(signal, "SIGUSR1", signal.SIGTERM)
 
 #: Seconds until a command has done so.
-_END_SECONDS = 60.0
+END_SECONDS = 60.0
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,8 @@ class Making:
     scratch: str | None = None  #: folder on a disk of the machine; may hold variables
     deadline: float | None = None  #: when to commit and end (time.time())
     commit_seconds: float | None = None  #: between commits; None: the command's own
+    #: a word in the names of unfinished shards, by which a command knows its own
+    owner: str = field(default_factory=lambda: uuid.uuid4().hex[:8])
 
 
 class ShardError(Error):
@@ -64,16 +68,25 @@ def make_shard(
         except InputError as error:
             warn(f"{error}: it is made again")
             is_damaged = True
-    how = how or Making()
-    with partial_name(Path(folder), how.scratch) as partial_file:
-        commits = ["--commits", str(take_log(Path(folder), plan, shard))]
-        if how.commit_seconds is not None:
-            commits += ["--commit-seconds", str(how.commit_seconds)]
-        _call([*plan.words(shard, str(partial_file)), *commits], how.deadline)
-        record = inspect_shard(plan, shard, partial_file)
-        is_ours = publish(partial_file, Path(folder), target, is_damaged)
-    remove_logs(Path(folder), shard)
+    how, whole = how or Making(), Path(folder)
+    place = place_of(whole, how.scratch)
+    remove_left(place, whole)
+    with unfinished(place, whole, how.owner) as made:
+        _call_for(plan, shard, made, whole, how)
+        record = inspect_shard(plan, shard, made.path)
+        is_ours = publish(made.path, whole, target, is_damaged, how.owner)
+    remove_logs(whole, shard)
     return record if is_ours else inspect_shard(plan, shard, target)
+
+
+def _call_for(
+    plan: EnsemblePlan, shard: Shard, made: Unfinished, folder: Path, how: Making
+) -> None:
+    """Calls the command that makes a shard."""
+    words = [*plan.words(shard, str(made.path)), "--commits", str(take_log(folder, plan, shard))]
+    if how.commit_seconds is not None:
+        words += ["--commit-seconds", str(how.commit_seconds)]
+    _call(words, how.deadline, made.lock)
 
 
 def check_options(plan: EnsemblePlan, folder: str) -> None:
@@ -82,8 +95,12 @@ def check_options(plan: EnsemblePlan, folder: str) -> None:
     _call([*words, "--dry-run"])
 
 
-def _call(words: list[str], deadline: float | None = None) -> str:
-    """What the command printed. It is told to commit and end where this process has to."""
+def _call(words: list[str], deadline: float | None = None, lock: BinaryIO | None = None) -> str:
+    """What the command printed. It is told to commit and end where this process has to.
+
+    It holds the lock as long as it lives, also longer than this process.
+    """
+    kept = [lock.fileno()] if lock is not None and os.name == "posix" else []
     with subprocess.Popen(
         [command_path(), *words],
         stdin=subprocess.DEVNULL,
@@ -93,6 +110,7 @@ def _call(words: list[str], deadline: float | None = None) -> str:
         errors="surrogateescape",
         start_new_session=True,  # Ctrl-C is for the ensemble
         preexec_fn=_end_with_parent(),
+        pass_fds=kept,
     ) as command:
         try:
             out, err = command.communicate(timeout=seconds_left(deadline))
@@ -115,7 +133,7 @@ def _told_to_end(command: subprocess.Popen[str]) -> tuple[str, str]:
     """What it printed, once it has committed; it is killed if that takes too long."""
     command.send_signal(_END)
     try:
-        return command.communicate(timeout=_END_SECONDS)
+        return command.communicate(timeout=END_SECONDS)
     except subprocess.TimeoutExpired:
         command.kill()
         return command.communicate()

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from pliant._core import FileError, InputError
+from pliant._input_files import json_object, open_file
 from pliant.ensemble.inspect_shard import ShardRecord
 from pliant.ensemble.plan import EnsemblePlan
 
@@ -26,7 +27,7 @@ class Manifest:
 
     def __init__(self, folder: Path, plan: EnsemblePlan) -> None:
         self.path = folder / MANIFEST
-        data = self.path.read_bytes() if self.path.exists() else b""
+        data = _bytes_of(self.path)
         self._end = data.rfind(b"\n") + 1  # a line that a crash has cut short does not count
         self.records = dict(_read(self.path, data[: self._end], plan))
 
@@ -51,10 +52,20 @@ class Manifest:
         return [self.records[number] for number in sorted(self.records)]
 
 
+def _bytes_of(path: Path) -> bytes:
+    if not path.exists():
+        return b""
+    try:
+        with open(path, "rb", opener=open_file) as file:
+            return file.read()
+    except OSError as error:
+        raise FileError(f"{path}: {error.strerror}") from None
+
+
 def _read(path: Path, data: bytes, plan: EnsemblePlan) -> Iterator[tuple[int, ShardRecord]]:
     for k, line in enumerate(data.splitlines(), 1):
         try:
-            record = ShardRecord(**json.loads(line))
+            record = ShardRecord(**json_object(line))
             _check_types(record)
         except (ValueError, TypeError):
             raise InputError(f"{path}:{k}: expected the record of a shard") from None

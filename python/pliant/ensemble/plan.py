@@ -6,12 +6,14 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from pliant import _core
 from pliant._core import FileError, InputError, OptionError
+from pliant._input_files import json_object, open_file
 from pliant.ensemble.options import Options, file_options, renewed, text_of, words_of
 
 PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by this name
@@ -20,6 +22,8 @@ MAKING = "making"  #: folder of what is being made: logs of commits, and shards 
 LOG = ".commits"  #: how the name of a log of commits ends
 _EMPTY_LOG = 16  #: bytes of one without commits
 _FORMAT = 1
+_MOST_BYTES = 1 << 24  #: of a plan
+MOST = 10**9  #: walkers or frames
 
 #: What is wrong with a file among the shards that the plan does not have.
 NO_SHARD = "is no shard of this ensemble: remove it"
@@ -114,7 +118,7 @@ def make_plan(
 def file_digest(path: str | os.PathLike[str]) -> str:
     """SHA-256 of a file's bytes. Raises FileError."""
     try:
-        with open(path, "rb") as file:
+        with open(path, "rb", opener=open_file) as file:
             digest = hashlib.sha256()
             while block := file.read(1 << 20):
                 digest.update(block)
@@ -142,18 +146,30 @@ def load_plan(folder: str | os.PathLike[str]) -> EnsemblePlan:
     """The plan of a folder. Raises FileError if there is none, InputError if it is not whole."""
     path = Path(folder, PLAN)
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
+        with open(path, "rb", opener=open_file) as file:
+            found = json_object(file.read(_MOST_BYTES))
         if found.pop("pliant_ensemble") != _FORMAT:
             raise ValueError("another version of the format")
         plan = EnsemblePlan(**found)
         plan.options = renewed(plan.options)
-        if plan.command not in USUAL_SHARD or plan.count < 1 or plan.shard_size < 1:
-            raise ValueError("numbers that cannot be")
+        _check_numbers(plan)
         return plan
     except OSError as error:
         raise FileError(f"{path}: {error.strerror}: expected the folder of an ensemble") from None
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise InputError(f"{path}: expected the plan of an ensemble: {error}") from None
+
+
+def _check_numbers(plan: EnsemblePlan) -> None:
+    """Raises ValueError for what no command would have written."""
+    if plan.command not in USUAL_SHARD:
+        raise ValueError(f"command: expected run or sample, found {plan.command!r:.40}")
+    for name in ("count", "shard_size"):
+        value = getattr(plan, name)
+        if type(value) is not int or not 1 <= value <= MOST:
+            raise ValueError(
+                f"{name}: expected a whole number from 1 to {MOST}, found {value!r:.40}"
+            )
 
 
 def settled(folder: Path, plan: EnsemblePlan, asked_size: int | None) -> EnsemblePlan | None:
@@ -199,9 +215,24 @@ def has_begun(folder: Path) -> bool:
 
 def strangers(folder: Path, plan: EnsemblePlan) -> list[Path]:
     """Files among the shards that the plan does not have: their frames would be there twice."""
-    known = {Path(shard.name).name for shard in plan.shards()}
     found = (folder / SHARDS).glob("[!.]*")  # file systems keep names with a dot for themselves
-    return sorted(path for path in found if path.name not in known)
+    return sorted(path for path in found if shard_named(path.name, plan) is None)
+
+
+def shards_there(folder: Path, plan: EnsemblePlan) -> list[Shard]:
+    """Shards that have a file, by their numbers."""
+    found = [shard_named(path.name, plan) for path in (folder / SHARDS).glob("shard-*")]
+    there = [shard for shard in found if shard is not None and (folder / shard.name).exists()]
+    return sorted(there, key=lambda shard: shard.number)
+
+
+def shard_named(name: str, plan: EnsemblePlan) -> Shard | None:
+    """The shard of the plan whose file has this name."""
+    found = re.match(r"shard-(\d{9,10})-", name)
+    if found is None or int(found[1]) >= plan.count:
+        return None
+    shard = plan.shard(int(found[1]) // plan.shard_size)
+    return shard if Path(shard.name).name == name else None
 
 
 def write_whole(path: Path, text: str) -> None:

@@ -13,6 +13,7 @@ from typing import Any
 
 from pliant._core import InputError
 from pliant._extras import need
+from pliant._input_files import open_file
 from pliant.console import counted, warn
 
 #: Queues that dask-jobqueue knows, by what a cluster file calls them.
@@ -165,13 +166,15 @@ def _settings(path: str) -> dict[str, Any]:
     import yaml  # which Dask needs
 
     try:
-        with open(path, encoding="utf-8") as file:
+        with open(path, encoding="utf-8", opener=open_file) as file:
             found = yaml.safe_load(file)
     except OSError as error:
         raise InputError(f"{path}: {error.strerror}") from None
     except yaml.MarkedYAMLError as error:
         line = f":{error.problem_mark.line + 1}" if error.problem_mark else ""
         raise InputError(f"{path}{line}: expected YAML: {error.problem}") from None
+    except RecursionError:
+        raise InputError(f"{path}: expected YAML: nested too deeply") from None
     except (yaml.YAMLError, UnicodeDecodeError) as error:
         raise InputError(f"{path}: {error}") from None
     if not isinstance(found, dict):

@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import os
 import shlex
-import sys
 from pathlib import Path
 
-from pliant.console import counted
+from pliant.console import command_path, counted
 from pliant.ensemble.make_shard import Making
 from pliant.ensemble.plan import EnsemblePlan
 from pliant.ensemble.time_limit import EXIT_AGAIN, parse_walltime
@@ -82,7 +81,7 @@ def _comment(plan: EnsemblePlan, words: list[str], *, is_timed: bool) -> str:
 
 
 def _command(folder: Path, how: Making) -> str:
-    words = [sys.executable, "-m", "pliant.ensemble.command", "-o", os.path.abspath(folder)]
+    words = [command_path(), "ensemble", "-o", os.path.abspath(folder)]
     if how.scratch is not None:
         words += ["--scratch", how.scratch]
     if how.commit_seconds is not None:

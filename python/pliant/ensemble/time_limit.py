@@ -3,13 +3,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import re
-import signal
-import sys
-import threading
 import time
-from collections.abc import Iterator
 
 from pliant._core import OptionError
 
@@ -57,23 +52,3 @@ def deadline_of(walltime: str | None, began: float) -> float | None:
 def seconds_left(deadline: float | None) -> float | None:
     """None for any number."""
     return None if deadline is None else max(0.0, deadline - time.time())
-
-
-@contextlib.contextmanager
-def ended_by_sigusr1(command: str) -> Iterator[None]:
-    """SIGUSR1 unwinds as SIGTERM does, with the exit code for "start me again"."""
-
-    def end(number: int, frame: object) -> None:
-        signal.signal(number, signal.SIG_IGN)  # it may come again, which must not disturb the end
-        print(f"pliant {command}: ended by SIGUSR1: the same command goes on", file=sys.stderr)
-        raise SystemExit(EXIT_AGAIN)
-
-    usr1 = getattr(signal, "SIGUSR1", None)
-    if usr1 is None or threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(usr1, end)
-    try:
-        yield
-    finally:
-        signal.signal(usr1, before)

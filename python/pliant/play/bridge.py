@@ -19,6 +19,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
 from pliant._core import InputError, OptionError
+from pliant._input_files import json_object
 from pliant.imd.client import ImdFrame
 from pliant.play.server import HEADERS, is_same, secret_path
 from pliant.play.upstream import Upstream
@@ -209,12 +210,9 @@ async def _first_of(*waits: Coroutine[Any, Any, Any]) -> None:
 
 def _said(message: str | bytes) -> dict[str, Any]:
     try:
-        said = json.loads(message)
-    except (ValueError, RecursionError):
-        said = None
-    if not isinstance(said, dict):
-        raise InputError("expected a JSON object")
-    return said
+        return json_object(message)
+    except ValueError:
+        raise InputError("expected a JSON object") from None
 
 
 def _forces(rows: Any, atoms: int) -> tuple[np.ndarray, np.ndarray]:

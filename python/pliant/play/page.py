@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 
 from pliant._core import Error, FileError, InputError
+from pliant._input_files import open_file
 
 PAGE = Path(__file__).with_name("pliant.html")
 PLACE = b"<!-- GIVEN -->"  #: in the page, where a molecule goes
@@ -24,11 +26,12 @@ def page_file() -> Path:
 def read_given(path: Path) -> bytes:
     """A file to be played with. Raises FileError, and InputError if it is too large for a page."""
     try:
-        size = path.stat().st_size
-        if size > MOST_BYTES:
-            found = f"found {size / 1024**2:.0f}"
-            raise InputError(f"{path}: expected at most {MOST_BYTES // 1024**2} MB, {found}")
-        return path.read_bytes()
+        with open(path, "rb", opener=open_file) as file:
+            size = os.fstat(file.fileno()).st_size
+            if size > MOST_BYTES:
+                found = f"found {size / 1024**2:.0f}"
+                raise InputError(f"{path}: expected at most {MOST_BYTES // 1024**2} MB, {found}")
+            return file.read()
     except OSError as error:
         raise FileError(f"{path}: cannot be read: {error.strerror}") from None
 

@@ -3,12 +3,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import secrets
+import socket
+import threading
+import time
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, HTTPServer
+from socketserver import ThreadingMixIn
 from typing import Any
 
-SLOWEST = 10.0  #: seconds that a client may take for its request
+SLOWEST = 10.0  #: seconds that a client may take for its request, and for taking the page
+MOST_WAITING = 32  #: clients that have not yet said what they ask for; of more the first go
 
 #: Nobody keeps the page, frames it, or learns its address.
 HEADERS = {
@@ -29,17 +35,22 @@ def is_same(given: str, expected: str) -> bool:
     return secrets.compare_digest(given.encode(), expected.encode())
 
 
-class PageServer(HTTPServer):
+class PageServer(ThreadingMixIn, HTTPServer):
     """Serves on 127.0.0.1, at `path` alone: the first page once, then the second.
 
     Any other path is 404; a request whose Host header is not the address is 403, so that no page of
-    another site reaches it under a name of its own (DNS rebinding).
+    another site reaches it under a name of its own (DNS rebinding). Clients that say nothing, or
+    say it slowly, keep nobody waiting.
     """
+
+    daemon_threads = True
 
     def __init__(self, first: bytes, then: bytes) -> None:
         super().__init__(("127.0.0.1", 0), _Handler)
         self.pages = [first, then]
         self.path = secret_path()
+        self.waiting: dict[Any, float] = {}  #: until when each client may say what it asks for
+        self._taking = threading.Lock()
 
     @property
     def host(self) -> str:
@@ -53,7 +64,33 @@ class PageServer(HTTPServer):
 
     def next_page(self) -> bytes:
         """The first page, once."""
-        return self.pages.pop(0) if len(self.pages) > 1 else self.pages[0]
+        with self._taking:
+            return self.pages.pop(0) if len(self.pages) > 1 else self.pages[0]
+
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Answers a client in a thread of its own."""
+        if len(self.waiting) >= MOST_WAITING:
+            self._leave(next(iter(self.waiting.copy())))
+        self.waiting[request] = time.monotonic() + SLOWEST
+        super().process_request(request, client_address)
+
+    def service_actions(self) -> None:
+        """Leaves clients that take too long: the limit of each read would not."""
+        now = time.monotonic()
+        for request, end in self.waiting.copy().items():
+            if end < now:
+                self._leave(request)
+
+    def shutdown_request(self, request: Any) -> None:
+        """Ends a connection."""
+        self.waiting.pop(request, None)
+        super().shutdown_request(request)
+
+    def _leave(self, request: Any) -> None:
+        """Whatever waits for the client hears that it has gone."""
+        self.waiting.pop(request, None)
+        with contextlib.suppress(OSError):
+            request.shutdown(socket.SHUT_RDWR)
 
     def handle_error(self, request: Any, client_address: Any) -> None:
         """A browser that went away is nobody's error."""
@@ -67,6 +104,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def do_GET(self) -> None:
         """The page, or an error."""
+        self.server.waiting.pop(self.connection, None)
         if self.headers.get("Host") != self.server.host:
             self._answer(HTTPStatus.FORBIDDEN, b"expected another Host\n", "text/plain")
         elif not is_same(self.path, self.server.path):

@@ -21,13 +21,13 @@ namespace {
 
 [[noreturn]] void fail_by_errno(const std::string& name) { fail_to_read(name, error_words(errno)); }
 
-/// Size of a regular file, 0 for pipes; refuses what has no end.
-std::size_t expected_size(int descriptor, const std::string& name) {
+/// Facts of a file or a pipe; refuses what has no end.
+FileFacts expected_facts(int descriptor, const std::string& name) {
   const std::optional<FileFacts> facts = facts_of(descriptor);
   if (!facts) fail_by_errno(name);
   if (facts->kind == FileKind::folder) fail_to_read(name, "Is a directory");
   if (facts->kind == FileKind::device) fail_to_read(name, "is a device, not a file");
-  return static_cast<std::size_t>(facts->size);
+  return *facts;
 }
 
 void check_size(std::size_t size, const std::string& name, std::size_t most) {
@@ -39,7 +39,8 @@ void check_size(std::size_t size, const std::string& name, std::size_t most) {
 std::string read_raw(const std::filesystem::path& path, const std::string& name, std::size_t most) {
   const Descriptor file = open_file(path, Opening::to_read);
   if (!file) fail_by_errno(name);
-  const std::size_t expected = expected_size(file.get(), name);
+  const FileFacts facts = expected_facts(file.get(), name);
+  const auto expected = static_cast<std::size_t>(facts.size);
   check_size(expected, name, most);
   std::string bytes;
   bytes.reserve(expected + 1);
@@ -50,6 +51,8 @@ std::string read_raw(const std::filesystem::path& path, const std::string& name,
         read_some(file.get(), std::as_writable_bytes(std::span(bytes)).subspan(size, room));
     if (got < 0) fail_by_errno(name);
     bytes.resize(size += static_cast<std::size_t>(got));
+    if (got == 0 && size == 0 && facts.kind == FileKind::stream)
+      fail_to_read(name, "is a pipe that nobody writes to");
     if (got == 0) return bytes;
     check_size(size, name, most);
   }

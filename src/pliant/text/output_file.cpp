@@ -31,7 +31,7 @@ std::string shown(const fs::path& path) { return printable_name(path_text(path))
 }
 
 void refuse_if_busy(const fs::path& path) {
-  const Descriptor existing = open_file(path, Opening::to_look);
+  const Descriptor existing = open_file(path, Opening::to_read);
   if (existing && is_being_written(existing.get())) refuse_as_busy(path, existing.get());
 }
 
@@ -193,7 +193,7 @@ void OutputFile::close() {
 }
 
 std::string writer_of(const fs::path& path) {
-  const Descriptor file = open_file(path, Opening::to_look);
+  const Descriptor file = open_file(path, Opening::to_read);
   return file && is_being_written(file.get()) ? lock_holder(file.get()) : "";
 }
 

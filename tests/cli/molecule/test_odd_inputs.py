@@ -69,6 +69,23 @@ def test_folders_links_and_pipes_of_nothing(pliant, tmp_path):
         assert ended.err == f"pliant: error: cannot read {name}: {reason}\n"
 
 
+@pytest.mark.parametrize("name", ["x.pdb", "x.h5md", "x.sdf", "x.xml"])
+def test_a_pipe_that_nobody_writes_to_is_not_waited_for(pliant, tmp_path, name):
+    os.mkfifo(tmp_path / name)
+    ended = pliant("info", name)
+    assert ended.code == 1
+    assert ended.err == f"pliant: error: cannot read {name}: is a pipe that nobody writes to\n"
+
+
+@pytest.mark.parametrize("option", ["--bars", "--ordering", "--forces"])
+def test_nor_is_one_in_an_option(pliant, ethanol, tmp_path, option):
+    os.mkfifo(tmp_path / "pipe")
+    ended = pliant("run", ethanol, option, "pipe", "-o", "out.h5md")
+    assert ended.code == 1
+    assert ended.err == "pliant: error: cannot read pipe: is a pipe that nobody writes to\n"
+    assert not (tmp_path / "out.h5md").exists()
+
+
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may read every file")
 def test_a_file_that_may_not_be_read(pliant, tmp_path):
     (tmp_path / "secret.pdb").write_text(ATOM)

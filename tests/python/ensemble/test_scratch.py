@@ -4,11 +4,12 @@
 import errno
 import os
 import shutil
-import time
+import subprocess
+import sys
 
 import h5py
 import pytest
-from ensembles import PEPTIDE, call, made, shards_of, start
+from ensembles import PEPTIDE, call, made, shards_of
 from pliant.ensemble import folder_lock, scratch
 from pliant.ensemble.folder_lock import alone_in, mount_of
 
@@ -28,19 +29,54 @@ def test_shards_come_from_a_scratch_disk(ensemble, tmp_path):
     assert not list(disk.glob("*.h5md")) and not list((tmp_path / "many" / "making").iterdir())
 
 
-def test_unfinished_shards_lie_on_the_scratch_disk(tmp_path):
-    disk, folder = tmp_path / "disk", tmp_path / "many"
-    disk.mkdir()
-    words = ("--walkers", 8, "--steps", 10**6, "--every", 10**5, "--workers", 1)
-    client = start(PEPTIDE, "-o", folder, *words, "--scratch", disk, "--commit-seconds", "0.01")
-    while not any(log.stat().st_size > 16 for log in folder.glob("making/*.commits")):
-        assert client.poll() is None
-        time.sleep(0.01)
-    there = [path.name for path in disk.iterdir()]
-    client.kill()
-    client.communicate()
-    assert len(there) == 1 and there[0].endswith(".h5md.partial")
-    assert not list(folder.glob("making/*.h5md*"))
+def test_what_is_left_is_known_by_its_name_and_by_its_lock(tmp_path):
+    disk, folder, other = tmp_path / "disk", tmp_path / "many", tmp_path / "other"
+    for one in (disk, folder, other):
+        one.mkdir()
+    (disk / "0123456789abcdef.h5md").touch()  # whoever it is of
+    with (
+        scratch.unfinished(disk, folder, "a") as made,
+        scratch.unfinished(disk, other, "a") as of_another,
+    ):
+        for one in (made, of_another):
+            one.path.touch()
+        (disk / f".{made.path.name}.partial").touch()
+        before = sorted(disk.iterdir())
+        scratch.remove_left(disk, folder)
+        assert sorted(disk.iterdir()) == before  # their locks are held
+        made.lock.close()
+        of_another.lock.close()
+        scratch.remove_left(disk, folder)
+        named = of_another.path.name
+        kept = {"0123456789abcdef.h5md", named, f"{named}.lock"}
+        assert {path.name for path in disk.iterdir()} == kept
+    assert [path.name for path in disk.iterdir()] == ["0123456789abcdef.h5md"]
+
+
+def test_the_lock_is_held_as_long_as_the_command_lives(tmp_path):
+    with scratch.unfinished(tmp_path, tmp_path, "a") as made:
+        made.path.touch()
+        words = [sys.executable, "-c", "input()"]
+        pipes = {"stdin": subprocess.PIPE, "pass_fds": [made.lock.fileno()]}
+        with subprocess.Popen(words, **pipes) as command:
+            made.lock.close()
+            scratch.remove_left(tmp_path, tmp_path)
+            assert made.path.exists()
+            command.communicate(b"\n")
+        scratch.remove_left(tmp_path, tmp_path)
+        assert not any(tmp_path.iterdir())
+
+
+def test_without_locks_what_is_left_stays(tmp_path, monkeypatch):
+    def refuse(file):
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(scratch, "take_lock", refuse)
+    with scratch.unfinished(tmp_path, tmp_path, "a") as made:
+        made.path.touch()
+        scratch.remove_left(tmp_path, tmp_path)
+        assert made.path.exists()
+    assert not any(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize(

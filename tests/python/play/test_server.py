@@ -5,11 +5,14 @@ import base64
 import http.client
 import json
 import re
+import socket
 import threading
+import time
 import webbrowser
 
 import pytest
 from pliant.play import command, page
+from pliant.play import server as page_server
 from pliant.play.server import PageServer
 
 BARE = b"<!doctype html><title>page</title>" + page.PLACE + b"<p>end</p>"
@@ -64,6 +67,54 @@ def test_nothing_else_is_served(server):
 def test_another_host_is_refused(server, host):
     assert ask(server, server.path, host)[:2] == (403, b"expected another Host\n")
     assert ask(server, server.path)[1] == b"first"
+
+
+def connect(server, text=b""):
+    client = socket.create_connection(("127.0.0.1", server.server_port), timeout=100)
+    client.sendall(text)
+    return client
+
+
+def test_clients_that_say_nothing_keep_nobody_waiting(server, monkeypatch):
+    monkeypatch.setattr(page_server, "SLOWEST", 1e6)
+    monkeypatch.setattr(page_server._Handler, "timeout", 1e6)
+    begun = f"GET {server.path} HTTP/1.1\r\nHost: ".encode()
+    with connect(server), connect(server), connect(server, begun):
+        assert ask(server, server.path)[:2] == (200, b"first")
+
+
+def test_a_client_has_a_time_for_its_whole_request(server, monkeypatch):
+    monkeypatch.setattr(page_server, "SLOWEST", 0.1)
+    monkeypatch.setattr(page_server._Handler, "timeout", 1e6)
+    with connect(server, b"GET / HTTP/1.1\r\n") as client, pytest.raises(OSError):
+        while True:  # a header that has no end, until nobody hears it
+            client.sendall(b"a")
+            time.sleep(0.01)
+
+
+def test_of_many_clients_that_say_nothing_the_first_go(server, monkeypatch):
+    monkeypatch.setattr(page_server, "SLOWEST", 1e6)
+    monkeypatch.setattr(page_server._Handler, "timeout", 1e6)
+    monkeypatch.setattr(page_server, "MOST_WAITING", 2)
+    with connect(server) as first, connect(server) as second, connect(server), connect(server):
+        assert first.recv(1) == second.recv(1) == b""
+        assert ask(server, server.path)[:2] == (200, b"first")
+        assert len(server.waiting) <= 2
+
+
+def test_the_first_page_is_one_clients_alone(server):
+    seen, together = [], threading.Barrier(8)
+
+    def look():
+        together.wait()
+        seen.append(ask(server, server.path)[1])
+
+    clients = [threading.Thread(target=look) for _ in range(8)]
+    for client in clients:
+        client.start()
+    for client in clients:
+        client.join()
+    assert sorted(seen) == [b"first", *[b"then"] * 7]
 
 
 def test_addresses_are_of_this_machine_and_differ():

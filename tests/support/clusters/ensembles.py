@@ -78,10 +78,10 @@ def wait_for_shards(client, folder, count):
         time.sleep(0.02)
 
 
-def start(*words, **options):
+def start(*words, command=COMMAND, **options):
     """The command ``pliant ensemble``, under way."""
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    return subprocess.Popen([COMMAND, "ensemble", *map(str, words)], **pipes, **options)
+    return subprocess.Popen([command, "ensemble", *map(str, words)], **pipes, **options)
 
 
 def kill_workers(client, folder, kills, first, gap, seed):

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Sequence
 
 from pliant._core import InputError
+from pliant._input_files import json_object
 from pliant.console import EXIT_OK, Parser, run_command
 
 DESCRIPTION = """\
@@ -30,7 +30,7 @@ def _write(options: argparse.Namespace) -> int:
     from pliant.analyse.rigidity.rigidity_page import save_rigidity_page
 
     try:
-        facts = facts_of_json(json.loads(sys.stdin.buffer.read()))
+        facts = facts_of_json(json_object(sys.stdin.buffer.read()))
     except (ValueError, KeyError, TypeError):
         raise InputError("standard input: expected what pliant rigidity --page hands on") from None
     save_rigidity_page(facts, options.output, overwrite=options.overwrite)

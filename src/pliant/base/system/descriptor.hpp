@@ -38,8 +38,7 @@ class Descriptor {
 
 /// How a file is opened. None is handed on to programs that this process starts.
 enum class Opening {
-  to_read,       ///< waits for the other end of a pipe
-  to_look,       ///< the same, without waiting
+  to_read,       ///< without waiting for whoever writes to a pipe: without one it is empty
   to_change,     ///< an existing file, for reading and writing
   to_make,       ///< for reading and writing; made if it is not there, and never a symbolic link
   to_make_anew,  ///< the same; fails if it is there

@@ -35,4 +35,8 @@ enum class RequestToEnd : std::uint8_t {
 /// started the process has ignored stay ignored. `ask` may do only what a signal handler may.
 void call_on_request_to_end(void (*ask)(RequestToEnd));
 
+/// Holds back Ctrl-C, SIGTERM, SIGHUP and SIGUSR1 until the program that this process becomes takes
+/// them (become_program()). Windows has none of them.
+void hold_requests_to_end();
+
 }  // namespace pliant

@@ -58,7 +58,7 @@ void StructureFields::fail(std::string_view why) const {
 }
 
 StructureFile::StructureFile(const std::filesystem::path& path)
-    : file_(open_file(path, Opening::to_look)) {
+    : file_(open_file(path, Opening::to_read)) {
   const std::optional<FileFacts> facts = file_ ? facts_of(file_.get()) : std::nullopt;
   if (!facts) throw FileError("cannot open: " + error_words(errno));
   if (facts->kind != FileKind::regular) throw FileError("is not a regular file");

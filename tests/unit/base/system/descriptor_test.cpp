@@ -75,11 +75,11 @@ TEST_F(Descriptors, SayWhatIsOpen) {
   std::filesystem::create_directory(path("folder"));
   write("file", "12345");
   const auto kind = [&](const std::string& name) {
-    return facts_of(open_file(path(name), Opening::to_look).get())->kind;
+    return facts_of(open_file(path(name), Opening::to_read).get())->kind;
   };
   EXPECT_EQ(kind("folder"), FileKind::folder);
   EXPECT_EQ(kind("file"), FileKind::regular);
-  EXPECT_EQ(facts_of(open_file("/dev/null", Opening::to_look).get())->kind, FileKind::device);
+  EXPECT_EQ(facts_of(open_file("/dev/null", Opening::to_read).get())->kind, FileKind::device);
   EXPECT_FALSE(facts_of(-1));
 }
 

@@ -20,8 +20,6 @@ constexpr int new_file_mode = 0666;  // without what the user's mask takes away
 int flags_of(Opening opening) {
   switch (opening) {
     case Opening::to_read:
-      return O_RDONLY;
-    case Opening::to_look:
       return O_RDONLY | O_NONBLOCK;
     case Opening::to_change:
       return O_RDWR | O_NONBLOCK;
@@ -71,7 +69,10 @@ void Descriptor::close() {
 
 Descriptor open_file(const std::filesystem::path& path, Opening opening) {
   const int flags = flags_of(opening) | O_CLOEXEC;
-  return Descriptor(uninterrupted([&] { return ::open(path.c_str(), flags, new_file_mode); }));
+  Descriptor file(uninterrupted([&] { return ::open(path.c_str(), flags, new_file_mode); }));
+  // Opened without waiting; but what a pipe will bring is waited for, where somebody writes to it.
+  if (file && opening == Opening::to_read) ::fcntl(file.get(), F_SETFL, 0);
+  return file;
 }
 
 std::optional<FileFacts> facts_of(int descriptor) {

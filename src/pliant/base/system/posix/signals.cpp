@@ -71,4 +71,11 @@ void call_on_request_to_end(void (*ask)(RequestToEnd)) {
   for (const int signal : {SIGTERM, SIGUSR1}) std::signal(signal, pass_on);
 }
 
+void hold_requests_to_end() {
+  sigset_t signals{};
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGHUP, SIGTERM, SIGUSR1}) sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
 }  // namespace pliant

@@ -22,10 +22,6 @@ namespace {
 
 constexpr DWORD all_may = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
-bool is_to_read(Opening opening) {
-  return opening == Opening::to_read || opening == Opening::to_look;
-}
-
 DWORD how_of(Opening opening) {
   if (opening == Opening::to_make) return OPEN_ALWAYS;
   return opening == Opening::to_make_anew ? CREATE_NEW : OPEN_EXISTING;
@@ -34,7 +30,7 @@ DWORD how_of(Opening opening) {
 /// Not to be renamed by this handle (DELETE): HDF5, whose opening of a file does not agree to that,
 /// could not read beside it.
 HANDLE open_handle(const wchar_t* path, Opening opening) {
-  const DWORD access = is_to_read(opening) ? GENERIC_READ : GENERIC_READ | GENERIC_WRITE;
+  const DWORD access = opening == Opening::to_read ? GENERIC_READ : GENERIC_READ | GENERIC_WRITE;
   // A folder opens as well, so that messages can say that it is one.
   const DWORD flags = FILE_ATTRIBUTE_NORMAL | FILE_FLAG_BACKUP_SEMANTICS |
                       (opening == Opening::to_make ? FILE_FLAG_OPEN_REPARSE_POINT : 0);
@@ -113,7 +109,7 @@ void Descriptor::close() {
 
 Descriptor open_file(const std::filesystem::path& path, Opening opening) {
   const HANDLE handle = open_handle(path.c_str(), opening);
-  if (handle != INVALID_HANDLE_VALUE) return descriptor_of(handle, is_to_read(opening));
+  if (handle != INVALID_HANDLE_VALUE) return descriptor_of(handle, opening == Opening::to_read);
   keep_windows_error();
   return {};
 }
@@ -136,7 +132,7 @@ bool is_there(const std::filesystem::path& path) {
 }
 
 bool is_same_file(int descriptor, const std::filesystem::path& path) {
-  const Descriptor named = open_file(path, Opening::to_look);
+  const Descriptor named = open_file(path, Opening::to_read);
   if (!named) return false;
   const auto wanted = number_of_file(handle_of(descriptor));
   return wanted && wanted == number_of_file(handle_of(named.get()));

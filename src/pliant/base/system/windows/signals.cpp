@@ -30,4 +30,6 @@ void call_on_request_to_end(void (*ask)(RequestToEnd)) {
   ::SetConsoleCtrlHandler(pass_on, TRUE);
 }
 
+void hold_requests_to_end() {}
+
 }  // namespace pliant
