@@ -263,6 +263,14 @@ std::string sample_doc() {
 }
 
 void bind_sample_function(nb::module_& module) {
+  module.def(
+      "near_frames",
+      [](std::int64_t frames) {
+        SampleOptions options;
+        options.frames = frames;
+        return near_frames_of(options);
+      },
+      "frames"_a, "How many of so many frames of sampler ``reach`` are those of ``modes``.");
   module.def("sample", &sample_from, "structure"_a.none(), "frames"_a = nb::none(), nb::kw_only(),
              "amplitude"_a = nb::none(), "model"_a = "", "keep"_a = std::vector<std::string>{},
              "output"_a = nb::none(), "overwrite"_a = false, "single"_a = false,

@@ -115,7 +115,8 @@ def _counts_of(task: _Task) -> _Counts:
     counts = _Counts(frames, np.zeros((2, k)), np.zeros(k), sizes, np.zeros(k))
     for file in counted_files(task.plan, task.paths, task.records):
         walkers = walkers_of(file, task.plan)
-        dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms)]
+        every = np.ones(len(walkers), dtype=bool)
+        dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms, every)]
         counts.add(_of_shard(walkers, np.concatenate(dealt)))
     return counts
 

@@ -16,6 +16,10 @@ depend only on the input, the options, the seed and the numbers of these walkers
 where or how often it was made. Finished shards are kept: after a crash, a lost worker or Ctrl-C,
 the same command goes on from there.
 
+Frames are those that one pliant sample of as many would make, bit for bit. Of a protein of more
+than 100 residues half of them, in hundreds, are around the start (modes), and the others go
+further: domains turn. With --sampler modes, turns, ... all are of that sampler.
+
 Options that --help-all does not list are those of pliant run, or with --frames of pliant sample."""
 
 EPILOG = """\

@@ -43,6 +43,7 @@ class EnsembleFlexibility:
     units: Units  #: residues, by their CA or P, or atoms
     what: str  #: that is independent: "walkers" of runs, or "frames" of samples
     frames: int
+    near: int  #: of these, around the start: flexibility is theirs
     walkers: int  #: or frames of a sample, each of which counts as a walker
     rmsf: np.ndarray  #: (U,) about the mean of all frames, superposed
     error: np.ndarray  #: (U,) standard error, from the differences between walkers
@@ -90,6 +91,7 @@ def flexibility(
     if min(half.walkers for half in sums.halves) == 0:
         raise InputError(f"{folder}: one {what[:-1]}: errors and convergence need two")
     found = _result(units, what, sums, _contacts(frames, sums, all_atoms), all_atoms)
+    found.frames = len(frames)
     found.amplitude = _asked_amplitude(frames)
     on_stage("clusters")
     found.clusters = clusters(frames, atoms, workers, 1 if found.still else CLUSTERS)
@@ -109,6 +111,8 @@ def _mean(frames: EnsembleFrames, atoms: np.ndarray, start: np.ndarray, workers:
     for more, part in _over(mean_of, frames, atoms, start, workers):
         count += more
         total += part
+    if count == 0:
+        raise InputError(f"{frames.folder}: no frame around the start is there yet")
     mean: np.ndarray = total / count
     return mean
 
@@ -150,7 +154,15 @@ def _result(
     errors = np.divide(square_error, 2 * rmsf, out=np.zeros_like(rmsf), where=rmsf > 0)
     profile = rmsf, errors, halves, correlation(halves[0], halves[1]), float(square.sum())
     found = EnsembleFlexibility(
-        units, what, both.frames, both.walkers, *profile, sums.max_residual, contacts, atoms
+        units,
+        what,
+        both.frames,
+        both.frames,
+        both.walkers,
+        *profile,
+        sums.max_residual,
+        contacts,
+        atoms,
     )
     if found.still:
         found.why_no_modes = "nothing moves"

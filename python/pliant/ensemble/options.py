@@ -14,7 +14,6 @@ _REFUSED = {
     "--shard": "the ensemble numbers its walkers itself",
     "--first-frame": "the ensemble numbers its frames itself",
     "--one-file": "each shard is one file in any case",
-    "--near-frames": "its frames are all of one sampler",
     "--threads": "--workers says how many processes share the shards",
     "--output": "",
     "--topology": "each shard holds its topology",
@@ -53,11 +52,6 @@ def parse_options(words: Sequence[str], command: str) -> Options:
             values.append(word)
     if found.get("--sampler") == [["walk"]]:
         raise OptionError("--sampler walk: each frame needs the one before; no shard can begin")
-    if found.get("--sampler") == [["reach"]]:
-        raise OptionError(
-            "--sampler reach: fluctuations of an ensemble are those of all its frames; make one of "
-            "--sampler modes and one of --sampler turns"
-        )
     return found
 
 

@@ -74,6 +74,12 @@ class EnsemblePlan:
         return int(word)
 
     @property
+    def may_reach(self) -> bool:
+        """Whether some frames of a sample may go further than those around the start."""
+        sampler = self.options.get("--sampler", [["auto"]])[-1]
+        return self.command == "sample" and sampler in (["auto"], ["reach"])
+
+    @property
     def shard_count(self) -> int:
         """How many shards there are in all."""
         return -(-self.count // self.shard_size)
@@ -94,9 +100,8 @@ class EnsemblePlan:
             if self.command == "run"
             else ["--first-frame", str(shard.first), "--frames", str(shard.size)]
         )
-        if self.command == "sample" and "--sampler" not in self.options:
-            # Of `reach` frames are of two kinds, and the ensemble's fluctuations are of all.
-            part += ["--near-frames", str(self.count)]
+        if self.may_reach and "--near-frames" not in self.options:
+            part += ["--near-frames", str(_core.near_frames(self.count))]
         own = ["--threads", "1", "--topology", "none", "--json", "--output", output]
         return [self.command, self.input, *words_of(self.options), *part, *own]
 

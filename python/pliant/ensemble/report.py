@@ -56,6 +56,7 @@ def _numbers(folder: Path, found: EnsembleFlexibility) -> dict[str, Any]:
     return {
         "ensemble": str(folder),
         "frames": found.frames,
+        "flexibility_frames": found.near,
         "walkers": found.walkers if found.what == "walkers" else None,
         "unit": found.units.what,
         "units": len(found.units.labels),
@@ -144,6 +145,10 @@ def print_report(numbers: dict[str, Any]) -> None:
     walkers = numbers["walkers"]
     source = "independent of each other" if walkers is None else f"of {counted(walkers, 'walker')}"
     print(f"frames          {numbers['frames']}, {source}")
+    if numbers["flexibility_frames"] < numbers["frames"]:
+        print(
+            f"{'':<16}flexibility is that of the {numbers['flexibility_frames']} around the start"
+        )
     if numbers["nothing_moves"]:
         _print_still(numbers)
     else:

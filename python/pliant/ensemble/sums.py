@@ -12,6 +12,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
+from pliant._drawn_by import DRAWN_ALONG_MODES
 from pliant.ensemble.inspect_shard import POSITION, ShardRecord
 from pliant.ensemble.open_shard import counted_files, positions_in
 from pliant.ensemble.plan import EnsemblePlan
@@ -122,17 +123,17 @@ class Task:
 
 
 def mean_of(task: Task) -> tuple[int, np.ndarray]:
-    """Frames, and the sum of their superposed positions (U, 3)."""
+    """Frames around the start, and the sum of their superposed positions (U, 3)."""
     count, total = 0, np.zeros_like(task.reference)
     for file in task.files():
-        for _, frames in blocks(file, task.atoms):
+        for _, frames in blocks(file, task.atoms, around_start(file, task.plan)):
             count += len(frames)
             total += superposed(frames, task.reference).sum(axis=0)
     return count, total
 
 
 def sums_of(task: Task) -> Sums:
-    """All sums, of frames superposed on the reference."""
+    """All sums, of frames around the start, superposed on the reference."""
     halves = [Half(len(task.atoms), task.has_modes) for _ in range(2)]
     sums = Sums((halves[0], halves[1]))
     for file in task.files():
@@ -141,11 +142,12 @@ def sums_of(task: Task) -> Sums:
 
 
 def _add_shard(sums: Sums, file: h5py.File, task: Task) -> None:
-    walkers = walkers_of(file, task.plan)
+    near = around_start(file, task.plan)
+    walkers = walkers_of(file, task.plan)[near]
     numbers, place = np.unique(walkers, return_inverse=True)
     counts = np.bincount(place)[:, None]
     a, b = np.zeros((len(numbers), len(task.atoms))), np.zeros((len(numbers), len(task.atoms), 3))
-    for rows, frames in blocks(file, task.atoms):
+    for rows, frames in blocks(file, task.atoms, near):
         d = superposed(frames, task.reference) - task.reference
         np.add.at(a, place[rows], (d**2).sum(axis=2))
         np.add.at(b, place[rows], d)
@@ -175,10 +177,28 @@ def walkers_of(file: h5py.File, plan: EnsemblePlan) -> np.ndarray:
     return np.asarray(_hdf5.read(found), dtype=np.int64)
 
 
-def blocks(file: h5py.File, atoms: np.ndarray) -> Iterator[tuple[slice, np.ndarray]]:
-    """Rows and their positions (F, U, 3), a few megabytes at a time."""
-    found = positions_in(file)
+def around_start(file: h5py.File, plan: EnsemblePlan) -> np.ndarray:
+    """(F,) bool: frames by which flexibility is computed. Those of `reach` that go further are not.
+
+    Of another sampler all are, and of runs.
+    """
+    found = _hdf5.item(file, "observables/sampler/value")
+    if not plan.may_reach or not _hdf5.is_array(found, "u", (None,)):
+        return np.ones(len(positions_in(file)), dtype=bool)
+    near: np.ndarray = _hdf5.read(found) <= DRAWN_ALONG_MODES
+    return near
+
+
+def blocks(
+    file: h5py.File, atoms: np.ndarray, chosen: np.ndarray
+) -> Iterator[tuple[slice, np.ndarray]]:
+    """Positions (F, U, 3) of chosen frames, some megabytes at a time, and which these are."""
+    found, done = positions_in(file), 0
     step = max(1, _BLOCK_BYTES // (24 * max(1, found.shape[1])))
     for begin in range(0, len(found), step):
         rows = slice(begin, min(begin + step, len(found)))
-        yield rows, _hdf5.read(found, rows)[:, atoms].astype(np.float64)
+        if not chosen[rows].any():
+            continue
+        some = _hdf5.read(found, rows)[chosen[rows]][:, atoms].astype(np.float64)
+        yield slice(done, done + len(some)), some
+        done += len(some)
