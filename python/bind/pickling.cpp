@@ -13,7 +13,7 @@
 namespace pliant::python {
 namespace {
 
-constexpr int layout = 2;  ///< of what __getstate__ gives
+constexpr int layout = 3;  ///< of what __getstate__ gives
 
 /// Throws InputError unless the state begins with the layout and has so many parts.
 void check_state(const nb::tuple& state, std::size_t parts) {
@@ -208,11 +208,12 @@ nb::tuple structure_state(const Structure& structure) {
       state_of(structure.atoms), packed(structure.positions), packed(numbers_of(structure.bonds)),
       packed(structure.charges), packed(ends), structure.model, structure.model_count,
       packed(structure.b_factors), structure.assemblies, packed(structure.isotopes),
-      packed(structure.radicals), packed(edges_of(structure.cell)), int(structure.dimensions));
+      packed(structure.radicals), packed(edges_of(structure.cell)), int(structure.dimensions),
+      int(structure.b_factor_source), text_bytes(structure.b_factor_record));
 }
 
 Structure structure_from(const nb::tuple& state) {
-  check_state(state, 17);
+  check_state(state, 19);
   Structure structure;
   structure.title = text_from(state[1]);
   structure.source = text_from(state[2]);
@@ -236,6 +237,8 @@ Structure structure_from(const nb::tuple& state) {
   const auto edges = unpacked<Vec3>(state[15]);
   if (edges.size() == 3) structure.cell = Cell{{edges[0], edges[1], edges[2]}};
   structure.dimensions = static_cast<std::uint8_t>(nb::cast<int>(state[16]));
+  structure.b_factor_source = BFactorSource(nb::cast<int>(state[17]));
+  structure.b_factor_record = text_from(state[18]);
   return structure;
 }
 

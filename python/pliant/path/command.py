@@ -46,7 +46,7 @@ examples:
 """
 
 #: options that --help shows
-COMMON = ("--output", "--atoms", "--both", "--backtrack", "--csv")
+COMMON = ("--output", "--select", "--atoms", "--both", "--backtrack", "--csv")
 
 
 def write_table(path: MolecularPath, file: str | os.PathLike[str]) -> None:
@@ -73,6 +73,7 @@ def make_parser() -> console.Parser:
     add(
         "-o", "--output", metavar="FILE", required=True, help="H5MD trajectory or PDB file to write"
     )
+    add("--select", metavar="SELECTION", help='part of START to move, such as "chain A"')
     console.add_rows(parser, path_rows(), {"backtrack": ATTEMPTS})
     add("--csv", metavar="FILE", help="also write the table of frames")
     add("--overwrite", action="store_true", help="replace existing outputs")
@@ -93,6 +94,8 @@ def _path(arguments: argparse.Namespace) -> int:
     options = PathOptions(**{row["name"]: getattr(arguments, row["name"]) for row in path_rows()})
     with notes_shown_by(console.note):
         start, end = read(arguments.start), read(arguments.end)
+        if arguments.select:
+            start = start.select(arguments.select)
     with console.progress("path") as show:
         path = walk.find(
             start,

@@ -33,7 +33,7 @@ PLIANT_CONTACT_KIND(hydrophobic, 2, find_tethers,  //
 
 PLIANT_CONTACT_KIND(metal, 4, find_metals,  //
                     .singular = "metal", .plural = "metals",
-                    .summary = "a metal without bonds and an N, O or S beside it",
+                    .summary = "a metal and an N, O or S of another residue beside it",
                     .hold = ContactHold::both_ways, .slack = 0.2, .bars = 5, .colour = "#6b5bd2",
                     .is_usual = true)
 

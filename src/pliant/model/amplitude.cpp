@@ -12,14 +12,13 @@
 #include "pliant/base/number.hpp"
 #include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/path_text.hpp"
-#include "pliant/model/atoms/atom_graph.hpp"
+#include "pliant/model/atoms/confidence.hpp"
 #include "pliant/model/atoms/residue_nodes.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr std::size_t fewest_that_look_alike = 10;
 constexpr std::string_view expected =
     "amplitude: expected a number above 0 (Angstrom), bfactors, or a file with models of the "
     "molecule";
@@ -46,23 +45,6 @@ std::vector<std::uint32_t> atoms_that_count(const Structure& structure) {
   for (std::size_t k = 0; k < nodes.atom.size(); ++k)
     if (nodes.is_residue[k] || !has_residues) out.push_back(nodes.atom[k]);
   return out;
-}
-
-/// Confidences have one value for each residue, from above 0 to 100. Hydrogens may have been placed
-/// since the file was read.
-bool looks_like_confidence(const Structure& structure) {
-  const ResidueAtoms residues(structure.atoms);
-  const std::size_t count = structure.atoms.residues.size();
-  std::size_t of_several = 0;
-  for (std::size_t r = 0; r < count; ++r) {
-    const float first = structure.b_factors[residues.begin(r)];
-    for (std::uint32_t i = residues.begin(r); i < residues.end(r); ++i) {
-      const float b = structure.b_factors[i];
-      if (b != first || b <= 0.0F || b > 100.0F) return false;
-    }
-    of_several += residues.end(r) - residues.begin(r) > 3 ? 1 : 0;
-  }
-  return of_several >= fewest_that_look_alike;
 }
 
 double fluctuation_of(double b_factor) {
@@ -94,9 +76,7 @@ AmplitudeChoice b_factor_amplitude(const Structure& structure, const Log& log) {
                                   [&](std::uint32_t a) { return value(a) != value(atoms[0]); });
   if (!differ && atoms.size() > 1)
     refuse_b_factors("all B factors are " + number_text(value(atoms[0])));
-  if (looks_like_confidence(structure))
-    refuse_b_factors(
-        "the B factors look like confidences (pLDDT): one value a residue, none above 100");
+  if (const std::string why = why_no_b_factors(structure); !why.empty()) refuse_b_factors(why);
   if (count < atoms.size())
     log.warn(std::to_string(atoms.size() - count) +
              " residues have no B factor above 0 and are left out of the amplitude");

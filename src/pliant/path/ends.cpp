@@ -2,9 +2,13 @@
 #include "pliant/path/ends.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/math/superposition.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/path/matching.hpp"
 #include "pliant/path/shared_contacts.hpp"
 
@@ -76,6 +80,52 @@ PathSide side_of(MolecularModel model, const MatchedSide& side) {
   return {std::move(model), side.asked, std::move(leader)};
 }
 
+/// Positions of matched residues at both ends.
+struct MatchedPoints {
+  std::vector<Vec3> ours, theirs;
+
+  void add(const MatchedPoints& other, std::size_t k) {
+    ours.push_back(other.ours[k]);
+    theirs.push_back(other.theirs[k]);
+  }
+};
+
+/// The sum of squared distances once superposed.
+double squared_misfit(const MatchedPoints& points) {
+  const RigidMotion fit = superposition(points.ours, points.theirs);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < points.ours.size(); ++k)
+    sum += norm_squared(fit(points.ours[k]) - points.theirs[k]);
+  return sum;
+}
+
+/// To hundredths.
+double rounded(double value) { return std::round(100.0 * value) / 100.0; }
+
+/// A note where chains that are superposed one by one fit much better than all together, as where
+/// crystals pack a dimer in two ways; "" else.
+std::string arrangement_note(const MatchedPoints& points, const std::vector<std::string>& chains) {
+  constexpr double least_of_all = 3.0;  // Angstrom: below, a path gets there
+  constexpr double much_better = 0.5;   // of the misfit of all
+  std::map<std::string, MatchedPoints> by_chain;
+  for (std::size_t k = 0; k < chains.size(); ++k) by_chain[chains[k]].add(points, k);
+  if (by_chain.size() < 2) return {};
+  double of_chains = 0.0;
+  std::string names;
+  for (const auto& [name, part] : by_chain) {
+    of_chains += squared_misfit(part);
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  const double count = double(chains.size());
+  const double together = std::sqrt(squared_misfit(points) / count);
+  const double alone = std::sqrt(of_chains / count);
+  if (together < least_of_all || alone > much_better * together) return {};
+  return "chains " + names + " are arranged differently in the two structures: superposed all " +
+         "together they are " + number_text(rounded(together)) + " Angstrom apart, one by one " +
+         number_text(rounded(alone)) + "; --select \"chain " + by_chain.begin()->first +
+         "\" follows one";
+}
+
 /// Contacts of theirs between atoms of ours, as far as we have those.
 std::vector<MolecularContact> as_ours(const std::vector<MolecularContact>& contacts,
                                       const MatchedAtoms& theirs, const MatchedAtoms& ours) {
@@ -136,7 +186,21 @@ class EndsMatcher {
     ResidueMatch match = match_residues(ours, theirs, goal_.structure.source);
     take(ours, match.ours, whole_.structure, ours_);
     take(theirs, match.theirs, goal_.structure, theirs_);
+    if (std::string note = note_on_arrangement(); !note.empty())
+      match.notes.push_back(std::move(note));
     return std::move(match.notes);
+  }
+
+  std::string note_on_arrangement() const {
+    MatchedPoints points;
+    std::vector<std::string> chains;
+    const AtomTable& atoms = whole_.structure.atoms;
+    for (std::size_t k = 0; k < ours_.traced.size(); ++k) {
+      points.ours.push_back(whole_.positions[ours_.traced[k]]);
+      points.theirs.push_back(goal_.positions[theirs_.traced[k]]);
+      chains.push_back(atoms.residues[ours_.residues[k]].chain);
+    }
+    return arrangement_note(points, chains);
   }
 
   static void take(const Trace& trace, const Indices& residues, const Structure& structure,

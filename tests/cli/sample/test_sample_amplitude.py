@@ -48,6 +48,11 @@ def pdb(models, b_of=lambda residue, name: 10.0, first=1, chain="A"):
     return "\n".join([*lines, "END", ""])
 
 
+def uneven(residue, name):
+    """B factors that differ within residues."""
+    return 30.0 + 2.0 * residue + (name == "CA")
+
+
 def ensemble(frames, seed=1):
     """Frames of the helix, whole residues of which are shifted at random, then all of it turned."""
     rng = np.random.default_rng(seed)
@@ -130,12 +135,21 @@ def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):
     (tmp_path / "equal.pdb").write_text(pdb([helix()]))
     (tmp_path / "zero.pdb").write_text(pdb([helix()], lambda *_: 0.0))
     (tmp_path / "alphafold.pdb").write_text(pdb([helix()], lambda k, _: 60.0 + k))
+    (tmp_path / "title.pdb").write_text(
+        "TITLE     ALPHAFOLD MONOMER V2.0 PREDICTION FOR A HELIX\n" + pdb([helix()], uneven)
+    )
+    (tmp_path / "model.pdb").write_text("EXPDTA    THEORETICAL MODEL\n" + pdb([helix()], uneven))
     end = "; give a number (Angstrom) or a file of models"
     cases = [
         ("equal.pdb", "bfactors", "amplitude bfactors: all B factors are 10" + end),
         ("zero.pdb", "bfactors", "amplitude bfactors: all B factors are 0" + end),
         ("alphafold.pdb", "bfactors", "amplitude bfactors: the B factors look like confidences "
-         "(pLDDT): one value a residue, none above 100" + end),
+         "(pLDDT): one value a residue, none above 100, and the file names no experiment (EXPDTA, "
+         "_exptl.method)" + end),
+        ("title.pdb", "bfactors", "amplitude bfactors: the file says that they are confidences "
+         "such as pLDDT (title ALPHAFOLD MONOMER V2.0 PREDICTION FOR A HELIX)" + end),
+        ("model.pdb", "bfactors", "amplitude bfactors: the file says that it is a theoretical "
+         "model (EXPDTA THEORETICAL MODEL), which has none" + end),
         (start, "plddt", "amplitude plddt: pLDDT is a confidence, not a distance, and no law is "
          "known that converts it into one" + end
          + " (--floppy frees residues with a pLDDT below 50)"),
@@ -147,6 +161,46 @@ def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):
         ended = pliant("sample", file, "-o", "out.h5md", f"--amplitude={word}", "--quiet")
         assert (ended.code, ended.err.splitlines()[-1]) == (2, f"pliant: error: {message}")
     assert not (tmp_path / "out.h5md").exists()
+
+
+#: the same values for all atoms of a residue, as refinements at low resolution have them and pLDDT
+EVEN = {"b_of": lambda k, _: 40.0 + k}
+
+
+@pytest.mark.parametrize(
+    "record",
+    ["EXPDTA    ELECTRON MICROSCOPY", "EXPDTA    X-RAY DIFFRACTION", "EXPDTA    SOLUTION NMR"],
+)
+def test_b_factors_of_an_experiment_are_b_factors_whatever_their_values(pliant, tmp_path, record):
+    (tmp_path / "even.pdb").write_text(record + "\n" + pdb([helix()], **EVEN))
+    report = asked(pliant, "even.pdb", "--amplitude", "bfactors")
+    assert report["amplitude_from"] == "bfactors"
+    assert not any("confidence" in warning for warning in report["warnings"])
+    (tmp_path / "even.pdb").write_text(pdb([helix()], **EVEN))
+    report = asked(pliant, "even.pdb", "--amplitude", "1")
+    assert any("10 residues with a confidence (B factor) below 50" in w for w in report["warnings"])
+
+
+def test_what_an_mmcif_says_decides_too(pliant, tmp_path):
+    """gemmi writes the atoms; values differ within a residue, as those of AlphaFold 3 do."""
+    gemmi = pytest.importorskip("gemmi")
+    (tmp_path / "uneven.pdb").write_text(pdb([helix()], uneven))
+    document = gemmi.read_structure(str(tmp_path / "uneven.pdb")).make_mmcif_document()
+    block = document.sole_block()
+    block.set_pair("_exptl.method", "'ELECTRON MICROSCOPY'")
+    document.write_file(str(tmp_path / "map.cif"))
+    assert asked(pliant, "map.cif", "--amplitude", "bfactors")["amplitude_from"] == "bfactors"
+    block.set_pair("_exptl.method", "'THEORETICAL MODEL'")
+    block.set_pair("_ma_qa_metric.name", "pLDDT")
+    document.write_file(str(tmp_path / "model.cif"))
+    ended = pliant("sample", "model.cif", "-o", "o.h5md", "--amplitude", "bfactors", "--quiet")
+    assert (ended.code, ended.err.splitlines()[-1]) == (
+        2,
+        "pliant: error: amplitude bfactors: the file says that they are confidences such as pLDDT "
+        "(_ma_qa_metric); give a number (Angstrom) or a file of models",
+    )
+    report = asked(pliant, "model.cif", "--amplitude", "1")
+    assert any("with a confidence (B factor) below 50" in w for w in report["warnings"])
 
 
 def test_files_that_are_no_ensemble_of_it_are_refused(pliant, start, tmp_path):

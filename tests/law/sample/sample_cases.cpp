@@ -86,7 +86,7 @@ constexpr SampledMolecule molecules[] = {
     {"disulphide", "a loop of four residues", [] { return from_law("disulphide.pdb"); }},
     {"dinucleotide", "sugars, bases, phosphate", [] { return from_law("dinucleotide.pdb"); }},
     {"zwitterion", "charged at both ends", [] { return from_law("zwitterion.pdb"); }},
-    {"zinc", "a metal without bonds", zinc},
+    {"zinc", "a metal between two oxygens", zinc},
     {"two_chains", "molecules that move apart", two_chains},
 };
 

@@ -208,3 +208,44 @@ def test_the_same_structure_is_no_way():
 def test_small_steps_are_no_reason_to_stop():
     path = pliant.path(OPEN, CLOSED, step=0.02)
     assert path.frames[20].to_end < path.frames[0].to_end - 0.3
+
+
+PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
+
+
+def dimer(path, shift):
+    """Two peptides, chain B turned about x and moved by `shift`."""
+    lines = [line for line in PEPTIDE.read_text().splitlines() if line.startswith("ATOM")]
+    moved = []
+    for line in lines:
+        x, y, z = (float(line[k : k + 8]) for k in (30, 38, 46))
+        place = (x + shift[0], shift[1] - y, shift[2] - z)
+        moved.append(f"{line[:21]}B{line[22:30]}{''.join(f'{v:8.3f}' for v in place)}{line[54:]}")
+    path.write_text("\n".join([*lines, "TER", *moved, "TER", "END", ""]))
+    return path
+
+
+def test_chains_that_are_arranged_differently_are_told_and_one_can_be_chosen(
+    tmp_path, monkeypatch, capsys
+):
+    monkeypatch.chdir(tmp_path)
+    start, end = dimer(tmp_path / "a.pdb", (30, 0, 0)), dimer(tmp_path / "b.pdb", (0, 40, 0))
+    (note,) = [
+        note
+        for note in PathEnds(pliant.read(start), pliant.read(end), PathOptions()).notes
+        if "arranged" in note
+    ]
+    carbons = [alpha_carbons(s, s.positions) for s in (pliant.read(start), pliant.read(end))]
+    assert note == (
+        "chains A, B are arranged differently in the two structures: superposed all together they "
+        f"are {round(fitted(*carbons), 2):g} Angstrom apart, one by one 0; "
+        '--select "chain A" follows one'
+    )
+    assert main(["a.pdb", "b.pdb", "-o", "p.h5md", "--select", "chain A"]) == 0
+    assert "arranged" not in capsys.readouterr().out
+
+
+def test_chains_that_move_together_are_not_said_to_be_arranged_differently(tmp_path):
+    start, end = dimer(tmp_path / "a.pdb", (30, 0, 0)), dimer(tmp_path / "b.pdb", (30.5, 0, 1))
+    notes = PathEnds(pliant.read(start), pliant.read(end), PathOptions()).notes
+    assert not any("arranged" in note for note in notes)

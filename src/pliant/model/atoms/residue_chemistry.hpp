@@ -25,7 +25,8 @@ enum class HydrogenShape : std::uint8_t {
   in_plane,     ///< up to two, in the plane of the neighbour, at 120 degrees
   spinning,     ///< up to three, 120 degrees apart about the bond to the neighbour
   conjugated,   ///< one, about a bond that keeps it in a plane
-  tetrahedral,  ///< two, above and below the plane of two bonds
+  tetrahedral,  ///< up to two, above and below the plane of two bonds
+  opposite,     ///< one, opposite to the sum of three bonds
 };
 
 /// The polar hydrogens of one atom of a residue.

@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::uint8_t carbon = 6, nitrogen = 7, oxygen = 8, phosphorus = 15, sulphur = 16;
 
-// Three bonds in a plane: the sum of their directions is shorter than this. It is 0 in a plane and
-// 1 at tetrahedral angles.
-constexpr double most_out_of_plane = 0.5;
-
 }  // namespace
 
 PolarAtoms::PolarAtoms(const Structure& structure, const AtomGraph& graph)
@@ -57,24 +53,18 @@ bool PolarAtoms::is_bonded_to(std::uint32_t atom, std::uint8_t element) const {
   });
 }
 
-bool PolarAtoms::is_planar(std::uint32_t atom) const {
-  Vec3 sum;
-  for (const Link& link : graph_.at(atom))
-    sum += unit_vector(structure_.positions[link.node] - structure_.positions[atom]);
-  return norm(sum) < most_out_of_plane;
-}
-
 Hybridisation PolarAtoms::hybridisation(std::uint32_t atom) const {
   using enum Hybridisation;
   const std::size_t count = graph_.at(atom).size();
   if (structure_.atoms.elements[atom] == nitrogen)
-    return count >= 4 || (count == 3 && !is_planar(atom)) ? sp3 : sp2;
+    return count >= 4 || (count == 3 && !is_planar(structure_, graph_, atom)) ? sp3 : sp2;
   if (is_bonded_to(atom, phosphorus) || is_bonded_to(atom, sulphur)) return sp3;
   if (count <= 1) return sp2;
   const std::uint32_t neighbour = graph_.first_heavy(atom);
   const bool is_conjugated = graph_.hydrogens_at(atom) == 1 && neighbour != no_atom &&
                              structure_.atoms.elements[neighbour] == carbon &&
-                             graph_.at(neighbour).size() == 3 && is_planar(neighbour);
+                             graph_.at(neighbour).size() == 3 &&
+                             is_planar(structure_, graph_, neighbour);
   return is_conjugated ? sp2 : sp3;
 }
 

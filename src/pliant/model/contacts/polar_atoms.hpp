@@ -31,7 +31,6 @@ class PolarAtoms {
 
  private:
   bool is_acceptor(std::uint32_t atom) const;
-  bool is_planar(std::uint32_t atom) const;
   bool other_nitrogen_donates(std::uint32_t donor) const;
   bool is_bonded_to(std::uint32_t atom, std::uint8_t element) const;
   bool is_in(std::uint32_t atom, std::string_view residue) const;

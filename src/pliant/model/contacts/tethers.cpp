@@ -8,14 +8,14 @@
 #include "pliant/base/math/cell_list.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/atoms/near_atoms.hpp"
+#include "pliant/molecule/bonds/coordination.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr std::uint8_t carbon = 6, nitrogen = 7, oxygen = 8, sulphur = 16;
+constexpr std::uint8_t carbon = 6, sulphur = 16;
 constexpr double carbon_radius = 1.7, sulphur_radius = 1.8;  // Angstrom, van der Waals (Bondi)
 constexpr double tether_energy = -1.0;                       // kcal/mol
-constexpr double metal_reach = 2.8;                          // Angstrom
 constexpr double metal_energy = -20.0;                       // kcal/mol: never diluted
 
 bool is_carbon_or_sulphur(const Structure& structure, std::uint32_t atom) {
@@ -49,13 +49,16 @@ bool are_of_neighbours(const AtomTable& atoms, std::uint32_t a, std::uint32_t b)
   return q == p || (q == p + 1 && atoms.residues[p].chain == atoms.residues[q].chain);
 }
 
-bool is_free_metal(const Structure& structure, const AtomGraph& graph, std::uint32_t atom) {
-  return is_metal(structure.atoms.elements[atom]) && graph.at(atom).empty();
-}
-
-bool holds_metals(const Structure& structure, std::uint32_t atom) {
-  const std::uint8_t element = structure.atoms.elements[atom];
-  return element == nitrogen || element == oxygen || element == sulphur;
+/// Whether a metal holds an atom: one in reach that is not of the complex the metal is bonded in.
+bool holds(const Structure& structure, const AtomGraph& graph, std::uint32_t metal,
+           std::uint32_t atom) {
+  const AtomTable& atoms = structure.atoms;
+  if (distance(structure.positions[metal], structure.positions[atom]) >
+      coordination_reach(atoms.elements[metal], atoms.elements[atom]))
+    return false;
+  const bool is_in_complex = !graph.at(metal).empty();
+  return !(is_in_complex && atoms.residue_of[metal] == atoms.residue_of[atom]) &&
+         !graph.are_within_two_bonds(metal, atom);
 }
 
 }  // namespace
@@ -88,16 +91,19 @@ std::vector<MolecularContact> find_tethers(const Structure& structure,
 
 std::vector<MolecularContact> metal_contacts(const Structure& structure) {
   const AtomGraph graph(structure);
-  std::vector<std::uint32_t> metals, holders;
-  for (std::uint32_t i = 0; i < structure.size(); ++i) {
-    if (is_free_metal(structure, graph, i)) metals.push_back(i);
-    if (holds_metals(structure, i)) holders.push_back(i);
-  }
-  const auto near = near_atoms(structure, metals, holders, metal_reach);
+  std::vector<std::uint32_t> metals, others;
+  for (std::uint32_t i = 0; i < structure.size(); ++i)
+    (is_metal(structure.atoms.elements[i]) ? metals : others).push_back(i);
+  if (metals.empty()) return {};
+  double furthest = 0.0;
+  for (std::uint32_t metal : metals)
+    furthest = std::max(furthest, coordination_reach(structure.atoms.elements[metal], sulphur));
+  const auto near = near_atoms(structure, metals, others, furthest);
   std::vector<MolecularContact> found;
   for (std::size_t k = 0; k < metals.size(); ++k)
-    for (std::uint32_t holder : near.at(k)) {
-      MolecularContact contact{MolecularContactKind::metal, metals[k], holder};
+    for (std::uint32_t atom : near.at(k)) {
+      if (!holds(structure, graph, metals[k], atom)) continue;
+      MolecularContact contact{MolecularContactKind::metal, metals[k], atom};
       contact.energy = metal_energy;
       set_limits(contact, structure);
       found.push_back(contact);

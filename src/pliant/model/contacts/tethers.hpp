@@ -17,7 +17,8 @@ namespace pliant {
 std::vector<MolecularContact> hydrophobic_tethers(const Structure& structure,
                                                   const TetherOptions& options = {});
 
-/// What holds metals without bonds: N, O and S within 2.8 Angstrom of a metal that has no bond.
+/// What holds metals: N, O, S, Se, halogens and C in reach of one (coordination_reach), but for the
+/// complex, as haem is one, that the metal is bonded in.
 std::vector<MolecularContact> metal_contacts(const Structure& structure);
 
 }  // namespace pliant

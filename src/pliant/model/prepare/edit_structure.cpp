@@ -20,6 +20,8 @@ Structure heading_of(const Structure& from) {
   to.assemblies = from.assemblies;
   to.cell = from.cell;
   to.dimensions = from.dimensions;
+  to.b_factor_source = from.b_factor_source;
+  to.b_factor_record = from.b_factor_record;
   return to;
 }
 

@@ -12,6 +12,10 @@ constexpr double too_short = 1e-12;  // squared, of what should have a direction
 // Half of the tetrahedral angle.
 constexpr double half_cosine = 0.5771451900372336, half_sine = 0.8166415551616789;
 
+// Three bonds in a plane: the sum of their directions is shorter than this. It is 0 in a plane and
+// 1 at tetrahedral angles.
+constexpr double most_out_of_plane = 0.5;
+
 }  // namespace
 
 Vec3 perpendicular_to(Vec3 u) {
@@ -24,6 +28,13 @@ Vec3 unit_vector(Vec3 v) {
   const double squared = norm_squared(v);
   if (squared < too_short) return {0.0, 0.0, 1.0};
   return (1.0 / std::sqrt(squared)) * v;
+}
+
+bool is_planar(const Structure& structure, const AtomGraph& graph, std::uint32_t atom) {
+  Vec3 sum;
+  for (const Link& link : graph.at(atom))
+    sum += unit_vector(structure.positions[link.node] - structure.positions[atom]);
+  return norm(sum) < most_out_of_plane;
 }
 
 double cosine_of_tens(int tens) {
@@ -57,6 +68,12 @@ Vec3 Spin::at(double length, BondAngle angle, int tens) const {
 Vec3 against_both(Vec3 parent, Vec3 one, Vec3 other, double length) {
   const Vec3 first = unit_vector(one - parent), sum = first + unit_vector(other - parent);
   if (norm_squared(sum) < too_short) return parent + length * perpendicular_to(first);
+  return parent - length * unit_vector(sum);
+}
+
+Vec3 against_three(Vec3 parent, Vec3 one, Vec3 other, Vec3 third, double length) {
+  const Vec3 sum =
+      unit_vector(one - parent) + unit_vector(other - parent) + unit_vector(third - parent);
   return parent - length * unit_vector(sum);
 }
 

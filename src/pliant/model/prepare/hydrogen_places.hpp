@@ -4,6 +4,7 @@
 #pragma once
 
 #include "pliant/base/vec3.hpp"
+#include "pliant/model/atoms/atom_graph.hpp"
 
 namespace pliant {
 
@@ -12,6 +13,9 @@ Vec3 unit_vector(Vec3 v);
 
 /// A unit vector at right angles to the unit vector `u`.
 Vec3 perpendicular_to(Vec3 u);
+
+/// Whether the bonds of an atom lie in a plane, as three of sp2 do.
+bool is_planar(const Structure& structure, const AtomGraph& graph, std::uint32_t atom);
 
 /// Cosine and sine of the angle at the parent.
 struct BondAngle {
@@ -38,6 +42,9 @@ class Spin {
 
 /// The position opposite to the sum of the bonds from `parent` to `one` and `other`.
 Vec3 against_both(Vec3 parent, Vec3 one, Vec3 other, double length);
+
+/// The position opposite to the sum of three bonds.
+Vec3 against_three(Vec3 parent, Vec3 one, Vec3 other, Vec3 third, double length);
 
 /// The position above (`side` = 1) or below (-1) the plane of two bonds, at the tetrahedral angle.
 Vec3 out_of_plane(Vec3 parent, Vec3 one, Vec3 other, double length, double side);

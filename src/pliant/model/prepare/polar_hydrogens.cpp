@@ -73,18 +73,37 @@ class SiteFinder {
 
   void add_backbone(std::size_t residue) {
     const std::uint32_t n = residues_.find(residue, "N");
-    const std::vector<std::uint32_t> heavy = graph_.heavy_at(n);
     const bool is_ring = residues_.find(residue, "CD") != no_atom &&
                          graph_.are_bonded(n, residues_.find(residue, "CD"));
-    const bool begins = begins_chain(residue);
-    if (heavy.size() == 1) {
-      if (begins) sites_.push_back({n, "H1 H2 H3", HydrogenShape::spinning});
-      if (!begins) sites_.push_back({n, "H", HydrogenShape::spinning, planar_angle});
-    } else if (heavy.size() == 2) {
-      const bool is_amine = is_ring && structure_.atoms.residues[residue].name != "PCA";
-      if (!is_amine) sites_.push_back({n, "H", HydrogenShape::bisector});
-      if (is_amine && begins) sites_.push_back({n, "H2 H3", HydrogenShape::tetrahedral});
+    const bool is_amide =
+        is_acylated(structure_, graph_, n) || structure_.atoms.residues[residue].name == "PCA";
+    if (begins_chain(residue) && !is_amide) {
+      if (is_ring) add({n, "H2 H3", HydrogenShape::tetrahedral}, 2);
+      if (!is_ring) add({n, "H1 H2 H3", HydrogenShape::spinning}, 1);
+    } else if (!is_ring || is_amide) {
+      const std::size_t heavy = graph_.heavy_at(n).size();
+      if (heavy == 1) sites_.push_back({n, "H", HydrogenShape::spinning, planar_angle});
+      if (heavy == 2) sites_.push_back({n, "H", HydrogenShape::bisector});
     }
+  }
+
+  /// Adds a site whose atom has `usual` heavy neighbours. Each further one takes the place of a
+  /// hydrogen, and an ammonium group that becomes an amide loses one more with its charge.
+  void add(Site site, std::size_t usual) {
+    const std::size_t heavy = graph_.heavy_at(site.parent).size();
+    if (heavy < usual) return;
+    if (heavy == usual) return sites_.push_back(site);
+    const Words names = words_of(site.names);
+    const bool is_amide = is_acylated(structure_, graph_, site.parent);
+    const bool is_ammonium = names.size() + usual == 4;
+    const std::size_t taken = heavy - usual + (is_ammonium && is_amide ? 1 : 0);
+    if (taken >= names.size()) return;
+    site.names.remove_prefix(static_cast<std::size_t>(names[taken].data() - site.names.data()));
+    const bool is_flat = is_amide || site.shape == HydrogenShape::in_plane;
+    site.shape = heavy == 3 ? HydrogenShape::opposite
+                 : is_flat  ? HydrogenShape::bisector
+                            : HydrogenShape::tetrahedral;
+    sites_.push_back(site);
   }
 
   /// Whether nothing of the chain comes before a residue, so that its N is a chain's own end.
@@ -109,11 +128,9 @@ class SiteFinder {
       if (row.form != protonation_.forms[residue]) continue;
       const std::uint32_t atom = residues_.find(residue, row.atom);
       if (atom == no_atom || graph_.hydrogens_at(atom) > 0) continue;
-      const std::size_t heavy = graph_.heavy_at(atom).size();
-      if (heavy != (row.shape == HydrogenShape::bisector ? 2 : 1)) continue;
       const bool is_thiol = structure_.atoms.elements[atom] == sulphur;
-      sites_.push_back(
-          {atom, row.hydrogens, row.shape, is_thiol ? thiol_angle : tetrahedral_angle});
+      add({atom, row.hydrogens, row.shape, is_thiol ? thiol_angle : tetrahedral_angle},
+          row.shape == HydrogenShape::bisector ? 2 : 1);
     }
   }
 
@@ -173,9 +190,14 @@ class Placer {
     switch (site.shape) {
       case HydrogenShape::bisector:
         return {against_both(parent, at(heavy[0]), at(heavy[1]), length)};
-      case HydrogenShape::tetrahedral:
-        return {out_of_plane(parent, at(heavy[0]), at(heavy[1]), length, 1.0),
-                out_of_plane(parent, at(heavy[0]), at(heavy[1]), length, -1.0)};
+      case HydrogenShape::tetrahedral: {
+        std::vector<Vec3> places{out_of_plane(parent, at(heavy[0]), at(heavy[1]), length, 1.0),
+                                 out_of_plane(parent, at(heavy[0]), at(heavy[1]), length, -1.0)};
+        places.resize(count);
+        return places;
+      }
+      case HydrogenShape::opposite:
+        return {against_three(parent, at(heavy[0]), at(heavy[1]), at(heavy[2]), length)};
       case HydrogenShape::in_plane:
         return around(k, heavy[0], count, planar_angle, 0, 18);
       case HydrogenShape::spinning:

@@ -17,6 +17,7 @@
 #include "pliant/model/prepare/side_chain_geometry.hpp"
 #include "pliant/model/prepare/side_chains.hpp"
 #include "pliant/model/prepare/survey.hpp"
+#include "pliant/molecule/structure/residue_templates.hpp"
 
 namespace pliant {
 namespace {
@@ -34,8 +35,6 @@ constexpr std::uint8_t sulphur = 16;
 
 /// Angstrom: side chains that were built so deep into other atoms are reported.
 constexpr double crowded_from = 0.7;
-
-bool is_dummy(const Residue& residue) { return residue.name == "DUM"; }
 
 /// Makes a structure ready, one step after the other.
 class Preparer {
@@ -121,12 +120,11 @@ class Preparer {
     take_out([&](std::uint32_t r) { return is_out[r]; });
   }
 
-  /// Files of membrane proteins draw the membrane so (OPM); nothing is there.
+  /// Those of structures from other packages: no reader of files lets them in.
   void take_out_dummies() {
-    const std::size_t dummies = residues_that(is_dummy);
-    if (dummies == 0) return;
-    take_out(is_dummy, "dummy atoms");
-    note(counted(dummies, "dummy residue", "dummy residues") + " (DUM) taken out");
+    const std::size_t dummies = residues_that(is_membrane_dummy);
+    if (dummies > 0) take_out(is_membrane_dummy, "dummy atoms");
+    if (dummies > 0) note(counted(dummies, "dummy residue", "dummy residues") + " (DUM) taken out");
   }
 
   void rename_selenium() {
@@ -151,7 +149,9 @@ class Preparer {
 
   void refuse_ca_only() const {
     if (survey(now_.structure).is_ca_only)
-      refuse("holds CA atoms alone: a model of a protein needs N, CA, C and O at least");
+      refuse(
+          "holds CA atoms alone: a model of a protein needs N, CA, C and O at least; Pliant has "
+          "none of CA, but elastic networks need no more (ANM of ProDy)");
   }
 
   void fill_side_chains() {

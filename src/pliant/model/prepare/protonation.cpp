@@ -10,12 +10,16 @@
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/atoms/near_atoms.hpp"
 #include "pliant/model/atoms/residue_chemistry.hpp"
+#include "pliant/model/prepare/hydrogen_places.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr double metal_reach = 2.8;     // Angstrom, of the atoms that a metal holds
 constexpr double acceptor_reach = 3.3;  // Angstrom, of an N that may donate its hydrogen
+
+// Angstrom: of N and C in amides and imines, 1.28 to 1.36; in amines it is 1.47.
+constexpr double longest_partly_double = 1.4;
 
 constexpr ProtonationForm table[] = {
     {"ASP", "ASP", "", "charged"},
@@ -169,6 +173,12 @@ std::string_view form_of_hydrogens(const AtomGraph& graph, const ResidueAtoms& r
   return on_ne2 ? "HIE" : "";
 }
 
+bool has_carbonyl(const Structure& structure, const AtomGraph& graph, std::uint32_t atom) {
+  return std::ranges::any_of(graph.at(atom), [&](const Link& link) {
+    return structure.atoms.elements[link.node] == 8 && graph.at(link.node).size() == 1;
+  });
+}
+
 }  // namespace
 
 std::span<const ProtonationForm> protonation_forms() { return table; }
@@ -195,6 +205,18 @@ Protonation protonation_of(const Structure& structure, const std::vector<std::st
     found.is_asked_for[residue] = true;
   }
   return found;
+}
+
+bool is_acylated(const Structure& structure, const AtomGraph& graph, std::uint32_t n) {
+  const AtomTable& atoms = structure.atoms;
+  return std::ranges::any_of(graph.at(n), [&](const Link& link) {
+    const std::uint32_t other = link.node;
+    if (graph.is_hydrogen(other) || atoms.residue_of[other] == atoms.residue_of[n]) return false;
+    if (atoms.elements[other] != 6) return true;
+    const double length = distance(structure.positions[n], structure.positions[other]);
+    return length < longest_partly_double || has_carbonyl(structure, graph, other) ||
+           (graph.at(other).size() == 3 && is_planar(structure, graph, other));
+  });
 }
 
 }  // namespace pliant

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {
@@ -38,5 +39,9 @@ struct Protonation {
 /// hydrogen on NE2, but on ND1 if NE2 is at a metal or only ND1 has an O within 3.3 Angstrom, and
 /// on neither if both are at metals (HIN). Throws OptionError naming what is wrong with a `wanted`.
 Protonation protonation_of(const Structure& structure, const std::vector<std::string>& wanted);
+
+/// Whether an N is bonded to a C of another residue as in amides and imines, or to P, S or B: then
+/// it is no amine.
+bool is_acylated(const Structure& structure, const AtomGraph& graph, std::uint32_t n);
 
 }  // namespace pliant

@@ -7,13 +7,11 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
+#include "pliant/model/atoms/confidence.hpp"
 #include "pliant/model/atoms/residue_chemistry.hpp"
 
 namespace pliant {
 namespace {
-
-// A model of fewer residues whose B factors are equal in each says nothing.
-constexpr std::size_t least_residues_of_confidence = 10;
 
 /// Looks at a structure residue by residue.
 class Surveyor {
@@ -34,7 +32,7 @@ class Surveyor {
     for (const Bond& bond : structure_.bonds)
       if (atoms_.elements[bond.a] == 16 && atoms_.elements[bond.b] == 16)
         found_.disulphides.push_back(bond);
-    found_.has_confidence = looks_like_confidence();
+    found_.has_confidence = has_confidences(structure_);
     return std::move(found_);
   }
 
@@ -100,19 +98,6 @@ class Surveyor {
     const std::uint32_t head = residues_.find(after, is_peptide ? "N" : "P");
     if (tail == no_atom || head == no_atom) return false;
     return !graph_.are_bonded(tail, head);
-  }
-
-  bool looks_like_confidence() const {
-    if (structure_.b_factors.empty() || found_.hydrogens > 0 || found_.waters > 0) return false;
-    if (found_.amino_acids < least_residues_of_confidence) return false;
-    bool varies = false;
-    const auto& b = structure_.b_factors;
-    for (std::size_t r = 0; r < atoms_.residues.size(); ++r)
-      for (std::uint32_t i = residues_.begin(r); i < residues_.end(r); ++i) {
-        if (b[i] != b[residues_.begin(r)] || b[i] <= 0.0F || b[i] > 100.0F) return false;
-        varies |= b[i] != b[0];
-      }
-    return varies && !found_.is_ca_only;
   }
 
   const Structure& structure_;

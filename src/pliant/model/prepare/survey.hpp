@@ -35,7 +35,7 @@ struct Survey {
   std::vector<Bond> disulphides;  ///< between two S
   bool is_backbone_only = false;  ///< there are amino acids, and none has a side chain
   bool is_ca_only = false;        ///< there are amino acids, and they have only CA
-  bool has_confidence = false;    ///< B factors look like pLDDT: one value a residue, up to 100
+  bool has_confidence = false;    ///< B factors are pLDDT (confidence.hpp)
 };
 
 /// Surveys a structure whose bonds are known. Linear in the number of atoms.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
@@ -10,6 +11,7 @@
 #include "pliant/molecule/bonds/link_bonds.hpp"
 #include "pliant/molecule/bonds/make_whole.hpp"
 #include "pliant/molecule/bonds/perception.hpp"
+#include "pliant/molecule/bonds/stated_bonds.hpp"
 #include "pliant/molecule/bonds/template_bonds.hpp"
 
 namespace pliant {
@@ -45,6 +47,47 @@ void warn(const Log& log, const Tally& tally, std::string_view noun, std::string
   log.warn(counted(tally.count, noun) + " (first: " + tally.first + ") " + std::string(what));
 }
 
+/// "A:SER1:CA - A:LYS6:CA (5.90 Angstrom)", four of them at most.
+std::string listed(const Structure& structure, const std::vector<Bond>& bonds) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, bonds.size()); ++k) {
+    const Bond& bond = bonds[k];
+    char length[48];
+    std::snprintf(length, sizeof length, " (%.2f Angstrom)",
+                  distance(structure.positions[bond.a], structure.positions[bond.b]));
+    text += (k > 0 ? ", " : "") + structure.atoms.label(bond.a) + " - " +
+            structure.atoms.label(bond.b) + length;
+  }
+  if (bonds.size() > most) text += " and " + std::to_string(bonds.size() - most) + " more";
+  return text;
+}
+
+/// Bonds of the file that no other step found.
+std::vector<Bond> lost(const Perception& perception) {
+  std::vector<Bond> bonds = perception.long_out;
+  const auto is_before = [](const Bond& one, const Bond& other) {
+    return one.a != other.a ? one.a < other.a : one.b < other.b;
+  };
+  std::erase_if(bonds, [&](const Bond& bond) {
+    return std::ranges::binary_search(perception.bonds, bond, is_before);
+  });
+  return bonds;
+}
+
+void tell_of_stated(const Perception& perception, const Log& log) {
+  const auto warn_of = [&](const std::vector<Bond>& bonds, const std::string& what) {
+    if (!bonds.empty())
+      log.warn(counted(bonds.size(), "bond") + what + ": " + listed(perception.structure, bonds));
+  };
+  const std::string is_long =
+      " stated by the file, longer than 1.3 times the sum of covalent radii, ";
+  warn_of(lost(perception), is_long + "left out");
+  warn_of(perception.long_kept, is_long + "kept");
+  warn_of(perception.unheld,
+          " of metals stated by the file, longer than coordination is, not held");
+}
+
 /// Atoms whose element nobody knows and that no bond reaches.
 Tally unknown_atoms(const Structure& structure) {
   std::vector<bool> bonded(structure.size(), false);
@@ -64,6 +107,7 @@ void warn_of_doubts(const Perception& perception, const Log& log) {
   warn(log, perception.stretched, "bond",
        "of residue templates too long to be true: left out (is the molecule cut by a periodic "
        "box?)");
+  tell_of_stated(perception, log);
   warn(log, perception.crowded, "atom",
        "where atoms crowd: no bonds guessed there (are the coordinates in Angstrom?)");
   warn(log, unknown_atoms(structure), "atom", "of unknown element without bonds");
@@ -71,6 +115,7 @@ void warn_of_doubts(const Perception& perception, const Log& log) {
 
 void take_steps(Perception& steps) {
   const Structure& structure = steps.structure;
+  perception::judge_stated_bonds(steps);
   // An SDF file's bond block is whole: nothing is left to guess, and a drawing's distances lie.
   if (structure.format != "sdf" || structure.bonds.empty()) {
     add_template_bonds(steps);
@@ -82,7 +127,7 @@ void take_steps(Perception& steps) {
 }
 
 void finish(Structure& structure, Perception& steps) {
-  structure.bonds = std::move(steps.bonds);
+  structure.bonds = steps.bonds;
   warn_of_doubts(steps, steps.options.log);
 }
 

@@ -31,6 +31,8 @@ class CellStep {
     for (const Bond& bond : p_.bonds)
       if (bond.origin == BondOrigin::file && p_.length(bond.a, bond.b) > longest_stated)
         add(bond.a, bond.b, longest_stated);
+    for (const Bond& bond : p_.long_out)
+      if (p_.length(bond.a, bond.b) > longest_stated) add(bond.a, bond.b, longest_stated);
     for (const Bond& bond : p_.stretched_bonds) add(bond.a, bond.b, longest_of_template(bond));
     for (const Bond& bond : p_.parted_links) add(bond.a, bond.b, longest_link);
     if (p_.options.guess_distances) add_by_distance();

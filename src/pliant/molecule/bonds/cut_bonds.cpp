@@ -11,10 +11,6 @@
 namespace pliant {
 namespace {
 
-// What is shorter (Angstrom) may be a bad bond, or an atom whose name means another; a box is
-// wider.
-constexpr double longest_bad_bond = 10.0;
-
 /// The longer of two bonds, where its atoms have elements and the structure has its atoms.
 void keep_longer(const Structure& structure, const Bond& bond, double& longest, Bond& kept) {
   const auto& elements = structure.atoms.elements;

@@ -9,6 +9,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/graphs/grouped.hpp"
 #include "pliant/base/math/cell_list.hpp"
+#include "pliant/molecule/bonds/valence.hpp"
 
 namespace pliant::perception {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::size_t most_in_a_cell = 100;
 // No three-membered ring has an angle above this, 80 degrees; four-membered rings are just above.
 constexpr double widest_ring_angle_cosine = 0.17364817766693033;
 
-constexpr std::uint8_t hydrogen = 1;
+constexpr std::uint8_t hydrogen = 1, carbon = 6, oxygen = 8;
 
 // H2 is 0.74 Angstrom long; two hydrogens further apart than this are two that touch.
 constexpr double longest_hydrogen_molecule = 0.85;
@@ -28,27 +29,6 @@ constexpr double longest_hydrogen_molecule = 0.85;
 // (HCl 1.27, H2S 1.34, PH3 1.42, SiH4 1.48 Angstrom). What is much nearer is a placeholder.
 constexpr double least_ratio_to_heavy = 0.85;
 constexpr std::uint8_t neon = 10;
-
-struct ElementValence {
-  std::uint8_t element;
-  std::uint8_t neighbours;
-};
-
-// The most neighbours (not bond orders) that atoms have in molecules: NH4+, H3O+, SF6, IF7, XeF6.
-constexpr ElementValence valences[] = {{1, 1},  {2, 0},  {5, 4},  {6, 4},  {7, 4},  {8, 3},
-                                       {9, 1},  {10, 0}, {14, 6}, {15, 6}, {16, 6}, {17, 4},
-                                       {18, 0}, {32, 6}, {33, 6}, {34, 6}, {35, 5}, {36, 2},
-                                       {51, 6}, {52, 6}, {53, 7}, {54, 6}, {85, 1}, {86, 2}};
-
-std::uint8_t most_neighbours(std::uint8_t element) {
-  for (const ElementValence& row : valences)
-    if (row.element == element) return row.neighbours;
-  return 6;
-}
-
-bool is_halogen(std::uint8_t element) {
-  return element == 9 || element == 17 || element == 35 || element == 53;
-}
 
 struct Candidate {
   double ratio;  ///< length / sum of radii
@@ -93,7 +73,8 @@ class DistanceStep {
   }
 
  private:
-  /// Who can be bonded by distance: all but metals, ions, waters, dummies and placeholders.
+  /// Who can be bonded by distance: all but ions, waters, dummies and placeholders. Metals are ions
+  /// unless they are in a residue of several atoms, which XYZ files do not tell apart.
   void choose_atoms() {
     water_.assign(p_.structure.size(), false);
     for (const ResiduePiece& piece : p_.pieces) {
@@ -116,19 +97,25 @@ class DistanceStep {
 
   bool makes_bonds(std::uint32_t atom, const ResiduePiece& piece) const {
     const std::uint8_t element = elements_[atom];
-    if (covalent_radius(element) <= 0.0 || is_metal(element)) return false;
-    if (piece.last - piece.first == 1 && is_halogen(element)) return false;
+    const bool is_alone = piece.last - piece.first == 1;
+    if (covalent_radius(element) <= 0.0) return false;
+    if (is_metal(element))
+      return !is_alone && !is_always_ion(element) && p_.structure.format != "xyz";
+    if (is_alone && is_halogen(element)) return false;
     return most_neighbours(element) > 0;
   }
 
   /// Bonds are sorted here: those of atom i as `a` are [first_bond_[i], first_bond_[i + 1]).
   void count_known_bonds() {
     neighbours_.assign(p_.structure.size(), 0);
+    known_.assign(p_.structure.size(), {});
     first_bond_.assign(p_.structure.size() + 1, 0);
     for (const Bond& bond : p_.bonds) {
       ++first_bond_[bond.a + 1];
       ++neighbours_[bond.a];
       ++neighbours_[bond.b];
+      if (is_metal(elements_[bond.a]) || is_metal(elements_[bond.b])) continue;
+      for (std::uint32_t atom : {bond.a, bond.b}) known_[atom].add(bond);
     }
     for (std::size_t i = 0; i < p_.structure.size(); ++i) first_bond_[i + 1] += first_bond_[i];
   }
@@ -148,11 +135,22 @@ class DistanceStep {
   /// Whether elements and residues allow a bond of this length, `ratio` to the sum of radii.
   bool is_possible(std::uint32_t a, std::uint32_t b, double length, double ratio) const {
     const auto [light, heavy] = std::minmax(elements_[a], elements_[b]);
-    if (light != hydrogen) return true;
+    if (is_metal(light) || is_metal(heavy)) return is_of_complex(a, b);
+    if (light != hydrogen) return !is_full(a) && !is_full(b);
+    if (heavy == carbon) return !is_full(elements_[a] == carbon ? a : b);
     if (heavy > neon) return ratio >= least_ratio_to_heavy;
     if (heavy != hydrogen) return true;
     const auto& residue_of = p_.structure.atoms.residue_of;
     return residue_of[a] == residue_of[b] && length <= longest_hydrogen_molecule;
+  }
+
+  bool is_full(std::uint32_t atom) const { return are_full(elements_[atom], known_[atom]); }
+
+  /// Metals are bonded within their residue, but not to each other or to hydrogen.
+  bool is_of_complex(std::uint32_t a, std::uint32_t b) const {
+    const auto& residue_of = p_.structure.atoms.residue_of;
+    return is_metal(elements_[a]) != is_metal(elements_[b]) && residue_of[a] == residue_of[b] &&
+           std::min(elements_[a], elements_[b]) != hydrogen;
   }
 
   std::vector<Vec3> positions() const {
@@ -216,8 +214,11 @@ class DistanceStep {
            2.0 * leg * other * widest_ring_angle_cosine;
   }
 
-  bool has_room(std::uint32_t atom, const std::vector<std::uint32_t>& counts) const {
-    return counts[atom] < most_neighbours(elements_[atom]);
+  /// A third neighbour of O is hydrogen (H3O+) or a metal.
+  bool has_room(std::uint32_t atom, std::uint32_t other) const {
+    if (neighbours_[atom] >= most_neighbours(elements_[atom])) return false;
+    return elements_[atom] != oxygen || elements_[other] == hydrogen ||
+           is_metal(elements_[other]) || known_[atom].neighbours < 2;
   }
 
   /// Bonds candidates from the shortest (against the radii) to the longest while both atoms have
@@ -228,17 +229,24 @@ class DistanceStep {
       ++wanted[c.a];
       ++wanted[c.b];
     }
+    const auto has_room_for_all = [&](std::uint32_t atom) {
+      return wanted[atom] <= (elements_[atom] == oxygen ? 2 : most_neighbours(elements_[atom]));
+    };
     const auto is_free = [&](const Candidate& c) {
-      return wanted[c.a] <= most_neighbours(elements_[c.a]) &&
-             wanted[c.b] <= most_neighbours(elements_[c.b]);
+      return has_room_for_all(c.a) && has_room_for_all(c.b);
     };
     std::sort(std::partition(candidates.begin(), candidates.end(), is_free), candidates.end());
-    for (const Candidate& c : candidates) {
-      if (!has_room(c.a, neighbours_) || !has_room(c.b, neighbours_)) continue;
-      ++neighbours_[c.a];
-      ++neighbours_[c.b];
-      p_.add(c.a, c.b, BondOrigin::distance, 0);
-    }
+    for (const Candidate& c : candidates)
+      if (has_room(c.a, c.b) && has_room(c.b, c.a)) add(c);
+  }
+
+  void add(const Candidate& c) {
+    p_.add(c.a, c.b, BondOrigin::distance, 0);
+    ++neighbours_[c.a];
+    ++neighbours_[c.b];
+    if (is_metal(elements_[c.a]) || is_metal(elements_[c.b])) return;
+    ++known_[c.a].neighbours;
+    ++known_[c.b].neighbours;
   }
 
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -248,6 +256,7 @@ class DistanceStep {
   std::vector<bool> water_;                ///< (N) whether it is part of a water molecule
   bool anything_open_ = false;             ///< whether any of them is not settled
   std::vector<std::uint32_t> neighbours_;  ///< (N) bonds so far
+  std::vector<KnownBonds> known_;          ///< (N) without metals; orders: of the steps before
   std::vector<std::size_t> first_bond_;
   std::vector<Candidate> heavy_, hydrogen_pairs_;
 };

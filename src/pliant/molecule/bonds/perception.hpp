@@ -45,6 +45,10 @@ struct Perception {
   std::vector<Bond> stretched_bonds;  ///< these bonds
   std::vector<Bond> parted_links;     ///< consecutive pieces whose link is too long
   Tally crowded;                      ///< atoms too close to too many others
+  // Of the bonds that the file states:
+  std::vector<Bond> long_out;   ///< too long to be true: left out
+  std::vector<Bond> long_kept;  ///< as long, of metals or of an SDF file
+  std::vector<Bond> unheld;     ///< of metals to other residues, longer than metals hold
 
   explicit Perception(const Structure& structure, const BondOptions& options);
 

@@ -218,6 +218,8 @@ const ResidueTemplate* find_residue_template(std::string_view name) {
   return inner && inner->kind == ResidueKind::amino_acid ? inner : nullptr;
 }
 
+bool is_membrane_dummy(const Residue& residue) { return residue.name == "DUM"; }
+
 std::vector<std::string_view> residue_template_names() {
   std::vector<std::string_view> names;
   for (const auto& [name, shape] : registry()) names.push_back(name);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/framework/atom_table.hpp"
+
 namespace pliant {
 
 enum class ResidueKind : std::uint8_t { amino_acid, cap, nucleotide, water };
@@ -36,6 +38,9 @@ struct ResidueTemplate {
 /// The template of a residue name: standard, protonation variant or terminal form of a force
 /// field ("HIP", "CYX", "NALA", "DA5"); null where there is none. Upper case only.
 const ResidueTemplate* find_residue_template(std::string_view name);
+
+/// Whether a residue is no molecule but draws a membrane: DUM of OPM and of the PDB.
+bool is_membrane_dummy(const Residue& residue);
 
 /// Every residue name with a template, sorted.
 std::vector<std::string_view> residue_template_names();

@@ -35,6 +35,14 @@ struct Bond {
   friend bool operator==(const Bond&, const Bond&) = default;
 };
 
+/// What the B factors of a file are, as far as it says.
+enum class BFactorSource : std::uint8_t {
+  unknown,
+  experiment,  ///< B factors, of a crystal, a map or NMR
+  model,       ///< of a theoretical model: no B factors
+  confidence,  ///< pLDDT or the like
+};
+
 /// One molecule (or crystal, or simulation system) of N atoms at one set of positions.
 struct Structure {
   std::string title;   ///< the file's own, may be empty
@@ -47,9 +55,11 @@ struct Structure {
   std::vector<std::uint16_t> isotopes;  ///< (N) mass numbers in the file, or 0; empty: none
   std::vector<std::uint8_t> radicals;   ///< (N) 1 singlet, 2 doublet, 3 triplet, 0 none; or empty
   std::vector<float> b_factors;  ///< (N) Angstrom^2, or a confidence; empty: the format has none
-  std::vector<bool> chain_end;   ///< (R) the chain ends after this residue (TER); empty: not known
-  std::size_t model = 1;         ///< which model or frame this is, from 1
-  std::size_t model_count = 1;   ///< models or frames in the file
+  BFactorSource b_factor_source = BFactorSource::unknown;
+  std::string b_factor_record;  ///< what says so: "EXPDTA X-RAY DIFFRACTION"; may be empty
+  std::vector<bool> chain_end;  ///< (R) the chain ends after this residue (TER); empty: not known
+  std::size_t model = 1;        ///< which model or frame this is, from 1
+  std::size_t model_count = 1;  ///< models or frames in the file
   std::vector<std::string> assemblies;  ///< names of the biological assemblies in the file
   std::optional<Cell> cell;             ///< periodic cell, if known
   std::uint8_t dimensions = 0;          ///< 2 or 3 if the file says so (SDF), else 0

@@ -215,7 +215,8 @@ TEST(Prepare, SaysWhatItCannotPrepare) {
   add_residue(trace, "ALA", 1, {{"CA", "C", {0, 0, 0}}});
   add_residue(trace, "ALA", 2, {{"CA", "C", {3.8, 0, 0}}});
   EXPECT_EQ(fault_of(with_bonds(trace)),
-            "made.pdb: holds CA atoms alone: a model of a protein needs N, CA, C and O at least");
+            "made.pdb: holds CA atoms alone: a model of a protein needs N, CA, C and O at least; "
+            "Pliant has none of CA, but elastic networks need no more (ANM of ProDy)");
 }
 
 TEST(Prepare, SaysWhatIsWrongWithAForm) {

@@ -14,6 +14,7 @@
 #include "pliant/molecule/read/cif/mmcif_assembly.hpp"
 #include "pliant/molecule/read/cif/mmcif_atoms.hpp"
 #include "pliant/molecule/read/cif/mmcif_bonds.hpp"
+#include "pliant/molecule/read/shared/b_factor_source.hpp"
 #include "pliant/molecule/read/shared/reading.hpp"
 #include "pliant/text/text_lines.hpp"
 
@@ -26,6 +27,10 @@ constexpr std::string_view component_bonds = "_chem_comp_bond";
 constexpr std::string_view component_atoms = "_chem_comp_atom";
 constexpr std::string_view structure_title = "_struct";
 constexpr std::string_view cell_category = "_cell";
+constexpr std::string_view experiment = "_exptl";
+// ModelCIF, in which servers of predictions and the ModelArchive write:
+constexpr std::string_view quality_metric = "_ma_qa_metric";
+constexpr std::string_view model_list = "_ma_model_list";
 
 /// The grammar knows LF and CRLF; a text with lone CRs gets LFs in `copy`, and is otherwise
 /// returned as it is.
@@ -114,6 +119,20 @@ std::optional<Cell> cell_of_block(const CifDocument& document, const CifBlock& b
                  std::array<double, 3>{values[3], values[4], values[5]});
 }
 
+void take_b_factor_source(const CifDocument& document, const CifBlock& block,
+                          Structure& structure) {
+  if (const CifTable* table = block.table(experiment))
+    if (const auto method = table->column("method"); method && table->rows() > 0)
+      take_method(structure, "_exptl.method", document.word(table->at(0, *method)));
+  if (structure.b_factor_source == BFactorSource::experiment) return;
+  const bool has_metric = block.table(quality_metric) != nullptr;
+  if (has_metric || block.table(model_list) != nullptr) {
+    structure.b_factor_source = has_metric ? BFactorSource::confidence : BFactorSource::model;
+    structure.b_factor_record = has_metric ? quality_metric : model_list;
+  }
+  take_title_of_prediction(structure);
+}
+
 Structure read_block(const CifDocument& document, const CifBlock& block, const ReadOptions& options,
                      Remarks& remarks) {
   const CifTable& table = *block.table(atom_site);
@@ -124,6 +143,7 @@ Structure read_block(const CifDocument& document, const CifBlock& block, const R
   choose_atoms(sites, remarks);
   warn_of_placeholders(sites, remarks);
   sites.structure.title = title_of(document, block);
+  take_b_factor_source(document, block, sites.structure);
   sites.structure.cell = cell_of_block(document, block);
   add_bonds(document, block, sites, remarks);
   add_assembly(document, block, options, sites, remarks);
@@ -149,7 +169,8 @@ Structure read_mmcif(const SourceText& source, const ReadOptions& options) {
   const SourceText text{source.name, with_line_feeds(source.text, copy)};
   const CifDocument document =
       parse_cif(text, {atom_site, struct_conn, component_bonds, component_atoms, structure_title,
-                       cell_category, cif_assembly_gen, cif_oper_list});
+                       cell_category, cif_assembly_gen, cif_oper_list, experiment, quality_metric,
+                       model_list});
   const CifBlock& block = choose_block(document, remarks);
   return finish(read_block(document, block, options, remarks), source, "mmcif", remarks);
 }

@@ -21,6 +21,7 @@
 #include "pliant/molecule/read/pdb/pdb_models.hpp"
 #include "pliant/molecule/read/pdb/pdb_serials.hpp"
 #include "pliant/molecule/read/shared/atom_sites.hpp"
+#include "pliant/molecule/read/shared/b_factor_source.hpp"
 #include "pliant/molecule/read/shared/reading.hpp"
 #include "pliant/text/text_lines.hpp"
 
@@ -157,6 +158,8 @@ void PdbReader::take_other(const PdbLine& line, std::string_view record) {
   if (record == "REMARK" && trimmed(columns(line.text, 8, 10)) == "350")
     remark_350_.push_back(line);
   if (record == "TITLE" && models_.count() == 0) take_title(line.text);
+  if (record == "EXPDTA")
+    take_method(sites_.structure, record, trimmed(columns(line.text, 11, 79)));
   // The cell of a model stands before its atoms; programs write one for each model.
   if (record == "CRYST1" && models_.count() < options_.model)
     sites_.structure.cell = pdb_cell(line, remarks_);
@@ -219,6 +222,7 @@ Structure PdbReader::read() {
   Structure& structure = sites_.structure;
   take_model_count(structure, models_.count(), options_, "model", remarks_);
   models_.tell_of_unequal(remarks_);
+  take_title_of_prediction(structure);
   if (!structure.charges.empty()) structure.charges.resize(structure.size(), 0);
   if (!structure.chain_end.empty())
     structure.chain_end.resize(structure.atoms.residues.size(), false);

@@ -10,6 +10,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/molecule/read/shared/conformers.hpp"
 #include "pliant/molecule/read/shared/element_of_name.hpp"
+#include "pliant/molecule/structure/residue_templates.hpp"
 
 namespace pliant {
 namespace {
@@ -52,27 +53,38 @@ std::map<Seat, Group> groups_of(const AtomSites& sites) {
   return groups;
 }
 
-/// Clears `keep` for atoms of conformers that are not chosen. Returns the number of residues.
-std::size_t drop_conformers(const AtomSites& sites, std::vector<bool>& keep) {
-  std::size_t residues = 0;
+/// Files of membrane proteins (OPM) draw the membrane with residues DUM; nothing is there.
+void drop_dummies(const AtomSites& sites, std::vector<bool>& keep, Remarks& remarks) {
+  const AtomTable& atoms = sites.structure.atoms;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (!is_membrane_dummy(atoms.residues[atoms.residue_of[i]])) continue;
+    keep[i] = false;
+    ++count;
+  }
+  if (count == 0) return;
+  if (count == sites.size()) fail(remarks.place(0), "holds nothing but dummy atoms (residues DUM)");
+  remarks.note(std::to_string(count) + (count == 1 ? " dummy atom" : " dummy atoms") +
+               " (residues DUM, which draw a membrane) left out");
+}
+
+/// Clears `keep` for atoms of conformers that are not chosen, and warns of them.
+void drop_conformers(const AtomSites& sites, std::vector<bool>& keep, Remarks& remarks) {
+  std::size_t residues = 0, count = 0, first = 0;
   for (const auto& [seat, group] : groups_of(sites)) {
     std::vector<ConformerAtom> listed;
     for (std::uint32_t i : group)
       listed.push_back({sites.structure.atoms.names[i], sites.conformers[i], sites.occupancies[i]});
     const std::vector<bool> stays = choose_conformers(listed);
-    for (std::size_t k = 0; k < group.size(); ++k)
-      if (!stays[k]) keep[group[k]] = false;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      if (stays[k]) continue;
+      keep[group[k]] = false;
+      first = count++ == 0 ? group[k] : std::min<std::size_t>(first, group[k]);
+    }
     residues += std::find(stays.begin(), stays.end(), false) != stays.end();
   }
-  return residues;
-}
-
-void warn_of_conformers(const AtomSites& sites, const std::vector<bool>& keep, std::size_t residues,
-                        Remarks& remarks) {
-  const auto count = std::count(keep.begin(), keep.end(), false);
   if (count == 0) return;
-  const auto first = std::find(keep.begin(), keep.end(), false) - keep.begin();
-  remarks.warn("conformers", sites.lines[static_cast<std::size_t>(first)], [&] {
+  remarks.warn("conformers", sites.lines[first], [&] {
     return std::to_string(count) + (count == 1 ? " atom" : " atoms") +
            " of alternate locations left out, in " + std::to_string(residues) +
            (residues == 1 ? " residue" : " residues") +
@@ -221,8 +233,8 @@ void keep_atoms(AtomSites& sites, const std::vector<bool>& keep,
 
 std::vector<std::uint32_t> choose_atoms(AtomSites& sites, Remarks& remarks) {
   std::vector<bool> keep(sites.size(), true);
-  const std::size_t residues = drop_conformers(sites, keep);
-  warn_of_conformers(sites, keep, residues, remarks);
+  drop_dummies(sites, keep, remarks);
+  drop_conformers(sites, keep, remarks);
   drop_repeats(sites, keep, remarks);
   std::vector<std::uint32_t> index(sites.size(), left_out);
   std::uint32_t count = 0;

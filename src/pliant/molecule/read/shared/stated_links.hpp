@@ -27,10 +27,9 @@ struct StatedLink {
   std::uint8_t order = 0;
 };
 
-/// Adds the bonds of `links` to `sites.structure.bonds`. Bonds of metals are kept, as in CONECT, so
-/// that a metal remains in its site and the PDB and the mmCIF file of an entry agree. Left out with
-/// one remark each: links to symmetry copies and of missing atoms; without a remark: links of
-/// alternate locations that are not used.
+/// Adds the bonds of `links` to `sites.structure.bonds`, those of metals, too: bond perception
+/// tells coordination from bonds. Left out with one remark each: links to symmetry copies and of
+/// missing atoms; without a remark: links of alternate locations that are not used.
 void add_stated_links(AtomSites& sites, const std::vector<StatedLink>& links, Remarks& remarks);
 
 }  // namespace pliant
