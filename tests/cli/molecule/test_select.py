@@ -15,13 +15,13 @@ DATA = Path(__file__).parents[3] / "data" / "molecules"
 
 @pytest.fixture
 def mixture(tmp_path):
-    """A peptide with two waters and a calcium that the file bonds to an O of it."""
+    """A peptide with two waters and a sulphur that the file bonds to an O of it."""
     lines = (DATA / "alanine_dipeptide.pdb").read_text().splitlines()
     atoms = [line for line in lines if line.startswith(("ATOM", "HETATM"))]
     (oxygen,) = [line for line in atoms if line[12:16].strip() == "O" and "ALA" in line]
     here = np.array([float(oxygen[k : k + 8]) for k in (30, 38, 46)])
     others = [
-        ("CA", "CA", (0, 0, 2.4), "CA"),
+        ("CA", "CA", (0, 0, 1.6), "S"),
         ("O", "HOH", (20, 0, 0), "O"),
         ("O", "HOH", (25, 0, 0), "O"),
     ]
