@@ -45,10 +45,9 @@ struct Perception {
   std::vector<Bond> stretched_bonds;  ///< these bonds
   std::vector<Bond> parted_links;     ///< consecutive pieces whose link is too long
   Tally crowded;                      ///< atoms too close to too many others
-  // Of the bonds that the file states:
-  std::vector<Bond> long_out;   ///< too long to be true: left out
-  std::vector<Bond> long_kept;  ///< as long, of metals or of an SDF file
-  std::vector<Bond> unheld;     ///< of metals to other residues, longer than metals hold
+  std::vector<Bond> long_out;         ///< of the file, too long to be true: left out
+  std::vector<Bond> long_kept;        ///< of the file, as long, of metals or an SDF file
+  std::vector<Bond> unheld;           ///< of the file, of metals to others, longer than they hold
 
   explicit Perception(const Structure& structure, const BondOptions& options);
 
