@@ -67,10 +67,10 @@ TEST(Additives, AreMoleculesLikeOthersWithoutAPolymer) {
 }
 
 TEST(Additives, AreNoneWhereTheyAreBonded) {
-  Structure s = crystal();
+  Structure s = bonded(crystal());
   s.bonds.push_back({1, 6, BondOrigin::file, 1});   // CA of glycine and C1 of the first
   s.bonds.push_back({7, 11, BondOrigin::file, 1});  // the first and the second
-  EXPECT_THAT(find_additives(bonded(s), {}).out, ElementsAre(3));
+  EXPECT_THAT(find_additives(s, {}).out, ElementsAre(3));
 }
 
 TEST(Additives, StayWhereTheyHoldAMetal) {

@@ -222,7 +222,7 @@ TEST(FileBonds, OfAnSdfFileAreAll) {
 
 TEST(FileBonds, CountForTheValence) {
   // The file says that the hydrogen is the farther oxygen's.
-  Structure s = molecule({{"O", {}}, {"H", {1.0, 0, 0}}, {"O", {2.4, 0, 0}}});
+  Structure s = molecule({{"O", {}}, {"H", {1.0, 0, 0}}, {"O", {2.2, 0, 0}}});
   s.bonds = {{1, 2, BondOrigin::file, 0}};
   EXPECT_THAT(perceive(s).bonds, ElementsAre("1-2 file"));
 }

@@ -120,8 +120,18 @@ TEST(DistanceBonds, GiveSulphurSixNeighbours) {
   EXPECT_EQ(perceive(molecule(atoms)).bonds.size(), 6U);
 }
 
-TEST(DistanceBonds, SkipMetalsIonsAndNobleGases) {
-  EXPECT_THAT(perceive(molecule({{"Zn", {}}, {"S", {2.3, 0, 0}}})).bonds, IsEmpty());
+TEST(DistanceBonds, JoinMetalsToTheirResidueAlone) {
+  EXPECT_THAT(perceive(molecule({{"Zn", {}}, {"S", {2.3, 0, 0}}})).bonds,
+              ElementsAre("0-1 distance"));
+  EXPECT_THAT(perceive(molecule({{"Na", {}}, {"S", {2.3, 0, 0}}})).bonds, IsEmpty());
+  EXPECT_THAT(perceive(molecule({{"Fe", {}}, {"Fe", {2.5, 0, 0}}})).bonds, IsEmpty());
+  Structure s;
+  add_residue(s, "ZN", 1, {{"ZN", "Zn", {}}});
+  add_residue(s, "CYS", 2, {{"SG", "S", {2.3, 0, 0}}});
+  EXPECT_THAT(perceive(s).bonds, IsEmpty());
+}
+
+TEST(DistanceBonds, SkipIonsAndNobleGases) {
   EXPECT_THAT(perceive(molecule({{"Ar", {}}, {"C", {1.5, 0, 0}}})).bonds, IsEmpty());
   Structure s;
   add_residue(s, "CL", 1, {{"CL", "Cl", {}}});
