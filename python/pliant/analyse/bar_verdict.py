@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._verdict import Verdict
 from pliant.analyse.names import bar_labels
 from pliant.analyse.parts import Residuals
 
@@ -16,27 +16,24 @@ if TYPE_CHECKING:
     from pliant.analysis import BarResiduals
 
 
-@dataclass(frozen=True)
-class Verdict:
-    """Whether the run kept its promise, in a sentence."""
-
-    kind: str  #: "good", "mixed", "bad" or "open" (there is nothing to judge)
-    sentence: str
-    details: str
+BRIEF = "fixed distances"  #: what bars are to those who do not know the word
 
 
-def verdict(analysis: Analysis) -> Verdict:
+def bar_verdict(analysis: Analysis) -> Verdict:
     """Judges the bars of all frames analysed, from the coordinates."""
     residuals = analysis.get(Residuals)
     if residuals is None:
         return Verdict(
-            "open", "There are no bars in this file to judge.", analysis.skipped["bar residuals"]
+            "open",
+            "There are no bars in this file to judge.",
+            analysis.skipped["bar residuals"],
+            BRIEF,
         )
     within = residuals.found.within
     beyond = np.count_nonzero(~within)
     details = _worst(analysis, residuals)
     if beyond == 0:
-        return Verdict("good", "Every bar of every frame is within tolerance.", details)
+        return Verdict("good", "Every bar of every frame is within tolerance.", details, BRIEF)
     broken = residuals.broken_promises
     count = f"{beyond} of {len(within)} frames"
     if broken is None:

@@ -185,15 +185,13 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
 
     for name, why in summary["skipped"].items():
         note(f"no {name}: {why}")
+    print(f"verdict         {summary['verdict_text']}")
     print(f"frames          {summary['frames']}, of {summary['atoms_analysed']} atoms")
-    said = summary["judgement_text"]
-    print(f"checks          {said}")
-    for name, one in summary["verdicts"].items():
-        if one["kind"] in ("mixed", "bad") and name != "what it is" and one["text"] != said:
-            print(f"{name:<16}{one['text']}")
     if "flexibility_mean" in summary:
         error = 2 * summary["flexibility_error_mean"]
-        print(f"flexibility     {summary['flexibility_mean']:.2f} ± {error:.1g} Å (mean RMSF)")
+        size = "; its size is an input" if "amplitude" in summary["verdicts"] else ""
+        mean = f"{summary['flexibility_mean']:.2f} ± {error:.1g} Å (mean RMSF{size})"
+        print(f"flexibility     {mean}")
     for name in ("domains", "other shapes"):
         if name in summary["verdicts"]:
             print(f"{name:<16}{summary['verdicts'][name]['text']}")

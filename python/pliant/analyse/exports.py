@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 
 #: frames of ensemble.pdb at most
 MODELS = 25
+#: the scenes of other models, after those of flexibility and domains, and their models in ChimeraX
+FIRST_MODELS, FIRST_IN_CHIMERAX = 3, 2
 #: components in modes.nmd
 MODES = 10
 LIGANDS_IN_PYMOL = ("show sticks, ensemble and organic", "show spheres, ensemble and inorganic")
@@ -47,16 +49,20 @@ def b_factors(rmsf: np.ndarray) -> np.ndarray:
     return np.asarray(8.0 * np.pi**2 / 3.0 * np.asarray(rmsf) ** 2)
 
 
-def save_exports(analysis: Analysis, folder: Path) -> list[Path]:
-    """Writes what the parts allow: bfactors.pdb, ensemble.pdb, scripts, shapes.pdb, modes.nmd."""
-    written = []
-    if UnitFlexibility in analysis and hasattr(analysis.universe.atoms, "names"):
-        written += _write_ensemble(analysis, folder)
+def save_exports(analysis: Analysis, folder: Path, others: Sequence[Path] = ()) -> list[Path]:
+    """Writes what the parts allow: bfactors.pdb, ensemble.pdb, scripts, shapes.pdb, modes.nmd.
+
+    Scripts load `others` as well, PDB files of models that are in the folder already.
+    """
+    written: list[Path] = []
     shapes = analysis.get(OtherShapes)
     if shapes is not None and shapes.shapes:
         path = folder / "shapes.pdb"
         write_chosen(analysis, shapes.places, path, REMARK_OF_SHAPES)
         written.append(path)
+    if UnitFlexibility in analysis and hasattr(analysis.universe.atoms, "names"):
+        models = [path.stem for path in [*written, *others]]
+        written += [*_write_ensemble(analysis, folder), *_write_scripts(analysis, folder, models)]
     if PocketVolumes in analysis:
         written += write_pocket_frames(analysis, folder)
     if Components in analysis and hasattr(analysis.fitted, "names"):
@@ -89,10 +95,17 @@ def _write_ensemble(analysis: Analysis, folder: Path) -> list[Path]:
     numbers = ", ".join(str(analysis.frames[k]) for k in frames)
     remarks = [remark, *_wrapped(f"frames {numbers}")]
     write_models(ensemble, atoms, moved, values, remarks, others)
-    scripts = {"show.pml": pymol_script(analysis), "show.cxc": chimerax_script(analysis)}
+    return [bfactors, ensemble]
+
+
+def _write_scripts(analysis: Analysis, folder: Path, models: Sequence[str]) -> list[Path]:
+    scripts = {
+        "show.pml": pymol_script(analysis, models),
+        "show.cxc": chimerax_script(analysis, models),
+    }
     for name, text in scripts.items():
         (folder / name).write_text(text, encoding="utf-8")
-    return [bfactors, ensemble, *(folder / name for name in scripts)]
+    return [folder / name for name in scripts]
 
 
 def _shown_frames(analysis: Analysis) -> np.ndarray:
@@ -168,8 +181,11 @@ def _usual_b(analysis: Analysis) -> float:
     return max(0.1, float(np.percentile(factors, 90)))
 
 
-def pymol_script(analysis: Analysis) -> str:
-    """Loads the ensemble in PyMOL, colours it by flexibility, or by domain, and plays it."""
+def pymol_script(analysis: Analysis, models: Sequence[str] = ()) -> str:
+    """Loads the ensemble in PyMOL, colours it by flexibility, or by domain, and plays it.
+
+    models: names of PDB files, without .pdb, whose models are a scene each, all on the start.
+    """
     of_residues = analysis[Units].what == "residue"
     lines = [
         "# pymol show.pml: still is blue, flexible is red",  # PyMOL runs what follows a semicolon
@@ -188,11 +204,41 @@ def pymol_script(analysis: Analysis) -> str:
             residues = "+".join(f"{a}-{b}" for a, b in stretches)
             lines.append(f"select domain{k + 1}, ensemble and resi {residues}")
             lines.append(f"color 0x{DOMAIN_COLOURS[k][1:]}, domain{k + 1}")
-        lines += ["deselect", "scene F2, store", "scene F1, recall"]
-    return "\n".join([*lines, *pymol_lines(analysis), "set movie_fps, 8", "mplay", ""])
+        lines += ["deselect", "scene F2, store"]
+    if models:
+        shown = "cartoon" if of_residues else "sticks"
+        lines += ["load bfactors.pdb, start", "hide everything, start", f"show {shown}, start"]
+        lines += ["color grey70, start"]
+    for key, name in enumerate(models, FIRST_MODELS):
+        lines += _pymol_models(name, f"F{key}", of_residues)
+    lines += pymol_lines(analysis, FIRST_MODELS + len(models))
+    lines += ["disable all", "enable ensemble", "scene F1, recall"]
+    return "\n".join([*lines, "set movie_fps, 8", "mplay", ""])
 
 
-def chimerax_script(analysis: Analysis) -> str:
+def _pymol_models(name: str, key: str, of_residues: bool) -> list[str]:
+    """A scene of all models of a file at once, each superposed on the start, which is grey."""
+    each = f"{name}_*"
+    fitted = [f"extra_fit {each} and name CA+P, start, align, cycles=0"] if of_residues else []
+    return [
+        f"# scene {key}: {name}.pdb, a colour for each model, and the start in grey",
+        f"load {name}.pdb, {name}",
+        f"split_states {name}, prefix={name}_",
+        f"delete {name}",
+        *fitted,
+        "disable all",
+        f"enable {each}",
+        "enable start",
+        f"hide everything, {each}",
+        f"show {'cartoon' if of_residues else 'sticks'}, {each}",
+        *([f"show sticks, {each} and organic"] if of_residues else []),
+        f'util.color_objs("{each}")',
+        f"zoom {each}",
+        f"scene {key}, store",
+    ]
+
+
+def chimerax_script(analysis: Analysis, models: Sequence[str] = ()) -> str:
     """The same for ChimeraX."""
     of_residues = analysis[Units].what == "residue"
     lines = [
@@ -205,15 +251,32 @@ def chimerax_script(analysis: Analysis) -> str:
     if _one_chain(analysis):
         for k, stretches in enumerate(_domain_selections(analysis)):
             residues = ",".join(f"{a}-{b}" for a, b in stretches)
-            lines.append(f"name domain{k + 1} :{residues}")
+            lines.append(f"name domain{k + 1} #1:{residues}")
             lines.append(f"# color domain{k + 1} {DOMAIN_COLOURS[k]}")
+    others = [
+        line
+        for model, name in enumerate(models, FIRST_IN_CHIMERAX)
+        for line in _chimerax_models(name, f"#{model}", of_residues)
+    ]
     return "\n".join(
         [
             *lines,
-            *chimerax_lines(analysis),
+            *others,
+            *chimerax_lines(analysis, FIRST_IN_CHIMERAX + len(models)),
             "set bgColor white",
             "view",
             "coordset #1 1,-1 pauseFrames 4 loop 100",
             "",
         ]
     )
+
+
+def _chimerax_models(name: str, model: str, of_residues: bool) -> list[str]:
+    """All models of a file at once, hidden until they are asked for."""
+    return [
+        f"# show {model} models: {name}.pdb",
+        f"open {name}.pdb id {model[1:]}",
+        *([f"hide {model} atoms", f"show {model} cartoons"] if of_residues else []),
+        f"rainbow {model} structures",
+        f"hide {model} models",
+    ]

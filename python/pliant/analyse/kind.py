@@ -22,13 +22,13 @@ MEANING = {
         "how far frames go overall was an input.",
     ),
     PATH: (
-        "Not an ensemble",
+        "A path of pushes, not an ensemble",
         "Each frame is the one before, pushed and resolved. How far atoms got depends on the "
         "pushes and on how many there were, so these fluctuations are not a property of the "
         "molecule. For those, see pliant sample.",
     ),
     TRANSITION: (
-        "A path from one structure to another",
+        "A path from one structure to another, not an ensemble",
         "The frames are in order, and show that there is a way. They say nothing about time, "
         "rates, or how often a shape occurs; the fluctuations are those of the path, not a "
         "property of the molecule. The 3-D view plays it.",

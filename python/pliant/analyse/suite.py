@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -18,8 +18,8 @@ from pliant._progress import Stages
 from pliant._trajectory.files import file_of
 from pliant._trajectory.sources import Molecule
 from pliant._trajectory.trajectory import HasFrames
+from pliant._verdict import Verdict, verdict_of_all
 from pliant.analyse.analysis import Analysis, AnalysisOptions
-from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.stages import STAGES, analyse_trajectory
 from pliant.analyse.summary import summary
 from pliant.analyse.verdicts import verdicts
@@ -41,21 +41,30 @@ class AnalysisReport(Displayed):
     #: where frames from memory are, as long as they may be read
     folder: tempfile.TemporaryDirectory[str] | None = field(default=None, repr=False)
 
+    #: what other commands found of these frames, such as whether MD can be started from them
+    more_verdicts: Mapping[str, Verdict] = field(default_factory=dict)
+
     @property
     def verdict(self) -> Verdict:
-        """Whether every bar of every frame is within tolerance."""
-        return verdict(self.analysis)
+        """What to believe of the whole: made from all `verdicts`."""
+        return verdict_of_all(self.verdicts.values())
+
+    @property
+    def verdicts(self) -> dict[str, Verdict]:
+        """The answer to each question: its name in the JSON -> the answer."""
+        return {**verdicts(self.analysis), **self.more_verdicts}
 
     def facts(self) -> Facts:
-        """The verdicts, as text."""
+        """The verdict, and the answers that it is made from."""
         frames = f"{len(self.analysis.frames)}, of {len(self.analysis.atoms)} atoms"
-        made = [(what, one.sentence) for what, one in verdicts(self.analysis).items()]
+        made = [(what, one.sentence) for what, one in self.verdicts.items()]
         files = [("page", str(self.outputs["report"]))] if "report" in self.outputs else []
-        return [("file", self.analysis.options.path), ("frames", frames), *made, *files]
+        head = [("verdict", self.verdict.sentence), ("file", self.analysis.options.path)]
+        return [*head, ("frames", frames), *made, *files]
 
     def as_json(self) -> dict[str, Any]:
         """What it comes down to, as one JSON object."""
-        return summary(self.analysis, self.outputs)
+        return summary(self.analysis, self.outputs, self.verdicts)
 
 
 @checked(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant.analyse.bar_verdict import verdict
+from pliant._verdict import Verdict, verdict_of_all
 from pliant.analyse.domains.domain_texts import domain_json
 from pliant.analyse.parts import (
     AtomFluctuations,
@@ -27,7 +27,7 @@ from pliant.analyse.pockets.pocket_texts import pockets_json
 from pliant.analyse.pockets.pocket_volumes import PocketVolumes
 from pliant.analyse.shapes.other_shapes import OtherShapes
 from pliant.analyse.shapes.shape_texts import shapes_json
-from pliant.analyse.verdicts import shape_rows, verdicts, whole
+from pliant.analyse.verdicts import shape_rows
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -38,11 +38,12 @@ if TYPE_CHECKING:
 Values = dict[str, Any]  #: JSON-ready
 
 
-def summary(analysis: Analysis, outputs: Mapping[str, Any]) -> Values:
-    """The analysis as JSON-ready values."""
-    judged = verdict(analysis)
-    made = {name: {"kind": v.kind, "text": v.sentence} for name, v in verdicts(analysis).items()}
+def summary(analysis: Analysis, outputs: Mapping[str, Any], made: Mapping[str, Verdict]) -> Values:
+    """The analysis as JSON-ready values, what to believe of it (by `made`) first."""
+    judged = verdict_of_all(made.values())
     values: Values = {
+        "verdict": judged.kind,
+        "verdict_text": judged.sentence,
         "input": analysis.options.path,
         "atoms": len(analysis.universe.atoms),
         "atoms_analysed": len(analysis.atoms),
@@ -50,12 +51,10 @@ def summary(analysis: Analysis, outputs: Mapping[str, Any]) -> Values:
         "frames": len(analysis.frames),
         "first_frame": int(analysis.frames[0]),
         "last_frame": int(analysis.frames[-1]),
-        "verdict": judged.kind,
-        "verdict_text": judged.sentence,
         "frames_are": analysis.kind,
-        "judgement": whole(analysis).kind,
-        "judgement_text": whole(analysis).sentence,
-        "verdicts": made,
+        "judgement": judged.kind,
+        "judgement_text": judged.sentence,
+        "verdicts": {name: {"kind": v.kind, "text": v.sentence} for name, v in made.items()},
     }
     for part, values_of in VALUES.items():
         if part in analysis:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What to believe of an analysis: one verdict for each question, and one for the whole."""
+"""What to believe of an analysis: one verdict for each question."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._verdict import Verdict
 from pliant.analyse.amplitude import asked_amplitude
-from pliant.analyse.bar_verdict import Verdict, verdict
+from pliant.analyse.bar_verdict import bar_verdict
 from pliant.analyse.domains.domain_texts import domain_verdict
 from pliant.analyse.kind import ENSEMBLE, MEANING, PATH, TRANSITION
 from pliant.analyse.parts import ReferenceStructure, Shapes, UnitFlexibility
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
 
 #: kinds of frames of which fluctuations are no property of the molecule
-NO_ENSEMBLES = {PATH: "A path of pushes", TRANSITION: "A path from one structure to another"}
+NO_ENSEMBLES = (PATH, TRANSITION)
 
 #: a bond angle may change by so much, degrees; molecular dynamics at 300 K changes some by 16
 MOST_ANGLE = 20.0
@@ -112,7 +113,7 @@ def verdicts(analysis: Analysis) -> dict[str, Verdict]:
         "what it is": _what_it_is(analysis),
         "convergence": _convergence(analysis),
         "stereochemistry": _stereochemistry(analysis),
-        "bars": verdict(analysis),
+        "bars": bar_verdict(analysis),
     }
     more = {
         "domains": domain_verdict(analysis),
@@ -121,26 +122,6 @@ def verdicts(analysis: Analysis) -> dict[str, Verdict]:
         "draws": _draws(analysis),
     }
     return made | {name: one for name, one in more.items() if one is not None}
-
-
-def whole(analysis: Analysis) -> Verdict:
-    """The verdict on all: good only if no question was answered badly."""
-    made = verdicts(analysis)
-    failed = [name for name, one in made.items() if one.kind == "bad"]
-    if failed:
-        sentence = f"Do not use these frames as they are: see {' and '.join(failed)}."
-        return Verdict("bad", sentence, "The other checks are listed below.")
-    if analysis.kind in NO_ENSEMBLES:
-        held = [name for name, one in made.items() if one.kind == "good"]
-        details = f"Checks passed: {', '.join(held)}." if held else ""
-        return Verdict("mixed", f"{NO_ENSEMBLES[analysis.kind]}, and not an ensemble.", details)
-    doubtful = [one for one in made.values() if one.kind == "mixed"]
-    if doubtful:
-        return Verdict("mixed", doubtful[0].sentence, doubtful[0].details)
-    held = [name for name, one in made.items() if one.kind == "good"]
-    if not held:
-        return Verdict("open", "There is nothing here to check.", "")
-    return Verdict("good", f"All checks passed: {', '.join(held)}.", "")
 
 
 def _sentence(text: str) -> str:
@@ -158,11 +139,8 @@ def _convergence(analysis: Analysis) -> Verdict:
         return Verdict("open", "A path has an end, and does not converge.", "")
     part = analysis.get(UnitFlexibility)
     if part is None:
-        return Verdict(
-            "open",
-            "Convergence cannot be judged.",
-            _sentence(analysis.skipped.get("flexibility", "")),
-        )
+        why = _sentence(analysis.skipped.get("flexibility", ""))
+        return Verdict("open", "Convergence cannot be judged.", why, "convergence")
     found = part.found
     if found.still:
         return Verdict(
@@ -173,7 +151,9 @@ def _convergence(analysis: Analysis) -> Verdict:
     details = (
         f"RMSF profiles of the two halves of the frames correlate at {found.correlation:.3f} and "
         f"differ by {100 * found.difference:.0f} % on average (converged: at least 0.95, at most "
-        f"10 %). Errors are estimated from {found.blocks} blocks of frames."
+        f"10 %). Errors are estimated from {found.blocks} blocks of frames. They say how well "
+        "frames made anew in the same way would repeat these numbers, not how near these are to "
+        "the molecule's."
     )
     if analysis.kind == ENSEMBLE and len(analysis.frames) < 200:
         details += " Fewer than 200 frames do not fill two blocks: errors may be too large."
@@ -181,18 +161,15 @@ def _convergence(analysis: Analysis) -> Verdict:
         what = (
             "The halves agree" if analysis.kind in NO_ENSEMBLES else "The flexibility is converged"
         )
-        return Verdict("good", f"{what}.", details)
+        return Verdict("good", f"{what}.", details, "convergence")
     return Verdict("mixed", "The flexibility is not converged: the halves differ.", details)
 
 
 def _stereochemistry(analysis: Analysis) -> Verdict:
     rows = shape_rows(analysis)
     if not rows:
-        return Verdict(
-            "open",
-            "Stereochemistry cannot be judged.",
-            _sentence(analysis.skipped.get("stereochemistry", "")),
-        )
+        why = _sentence(analysis.skipped.get("stereochemistry", ""))
+        return Verdict("open", "Stereochemistry cannot be judged.", why, "stereochemistry")
     looked_at, reference = analysis[Shapes].frames, analysis[ReferenceStructure]
     details = (
         f"{len(looked_at)} of {len(analysis.frames)} frames were compared with {reference.name}: "
@@ -202,7 +179,7 @@ def _stereochemistry(analysis: Analysis) -> Verdict:
     if failed:
         return Verdict("bad", f"Stereochemistry is broken: {', '.join(failed)}.", details)
     some = " of the recorded atoms" if analysis.stored.joints_of_whole else ""
-    return Verdict("good", f"Stereochemistry{some} is intact.", details)
+    return Verdict("good", f"Stereochemistry{some} is intact.", details, "stereochemistry")
 
 
 def _amplitude(analysis: Analysis) -> Verdict | None:
@@ -234,14 +211,15 @@ def _draws(analysis: Analysis) -> Verdict | None:
         more = f" and {len(again) - NAMED} more" if len(again) > NAMED else ""
         details = (
             f"The first attempts at frames {named}{more} failed; each took up to "
-            f"{int(redraws.max()) + 1} attempts. The motions that these asked for are "
-            "under-represented."
+            f"{int(redraws.max()) + 1} attempts. Motions in these directions "
+            "are under-represented."
         )
     missing = _missing_frames(analysis)
     if missing:
         details += f" {missing} frames could not be resolved at all and are left out."
     share = (len(again) + missing) / (count + missing)
-    return Verdict("good" if share <= MOST_DRAWN_AGAIN else "mixed", sentence, details.strip())
+    kind = "good" if share <= MOST_DRAWN_AGAIN else "mixed"
+    return Verdict(kind, sentence, details.strip(), "few frames redrawn")
 
 
 def _missing_frames(analysis: Analysis) -> int:

@@ -34,7 +34,7 @@ def write_report(
     folder.mkdir(parents=True, exist_ok=True)
     with Drawing(analysis, folder, dpi) as drawing:
         tables = save_tables(analysis, folder)
-        exports = save_exports(analysis, folder)
+        exports = save_exports(analysis, folder, more.models)
         figures = drawing.finish()
     report = folder / "report.html"
     pictures = [path for _, path in figures]

@@ -18,6 +18,10 @@ SPACING = 1.0  #: of the grid, Angstrom
 LEAST_VOLUME = 30.0
 #: atoms whose surface may be the one nearest to a point: their radii differ by 0.3 Angstrom at most
 NEAREST = 4
+#: a place is enclosed where at least this share of all directions meets an atom within this
+#: distance, Angstrom: midway between two walls that are further apart than it, none is
+ENCLOSED, REACH = 0.5, 8.0
+DIRECTIONS = 30
 
 #: Angstrom (A. Bondi, J. Phys. Chem. 68 (1964) 441); others: that of carbon
 RADII = {"C": 1.70, "N": 1.55, "O": 1.52, "S": 1.80, "P": 1.80}
@@ -95,19 +99,34 @@ def _covered(centres: np.ndarray, radius: np.ndarray, step: float) -> np.ndarray
     return np.asarray(apart * step <= radius[tuple(nearest)])
 
 
+@dataclass(frozen=True)
+class Room:
+    """Room within a convex hull, and how much of it is a pocket, Angstrom^3."""
+
+    all: float
+    enclosed: float  #: where atoms are around: see ENCLOSED
+
+    @property
+    def share(self) -> float:
+        """Of the room that is enclosed; 1 where there is none."""
+        return self.enclosed / self.all if self.all else 1.0
+
+
 def room_among(
     positions: np.ndarray,
     radii: np.ndarray,
     lining: np.ndarray,
     spacing: float = SPACING,
     offset: float = 0.0,
-) -> float:
-    """Room for SMALL_PROBE within the convex hull of lining atoms (indices), Angstrom^3.
+) -> Room:
+    """Room for SMALL_PROBE within the convex hull of lining atoms (indices).
 
     positions (n, 3), radii (n,): all atoms, Angstrom. The grid lies `offset` steps further along
     x, y and z. Unlike that of `find_pockets` this room does not end where a large probe comes in:
     it grows as a pocket opens, up to planes across its mouth. (Room in a region that is given:
-    J. Durrant et al., J. Chem. Theory Comput. 10 (2014) 5047.)
+    J. Durrant et al., J. Chem. Theory Comput. 10 (2014) 5047.) Where the lining parts, the hull
+    spans the gap, which is not enclosed. (Rays that meet the protein: T. Halgren, J. Chem. Inf.
+    Model. 49 (2009) 377.)
     """
     hull = ConvexHull(positions[lining])
     planes = hull.equations.astype(np.float32)
@@ -123,7 +142,46 @@ def room_among(
     free = (apart - radii[atom]).reshape(len(points), -1).min(axis=1)
     centres = free >= SMALL_PROBE
     if not centres.any():
-        return 0.0
+        return Room(0.0, 0.0)
     # As in _covered: the whole sphere about the nearest centre, which makes a coarse grid do.
     apart, nearest = cKDTree(points[centres]).query(points[inside])
-    return float(np.count_nonzero(apart <= free[centres][nearest]) * spacing**3)
+    room = points[inside][apart <= free[centres][nearest]]
+    if len(room) == 0:
+        return Room(0.0, 0.0)
+    enclosed = int(np.count_nonzero(_met(room, positions, radii) >= ENCLOSED))
+    return Room(len(room) * spacing**3, enclosed * spacing**3)
+
+
+def _met(points: np.ndarray, positions: np.ndarray, radii: np.ndarray) -> np.ndarray:
+    """Share of the directions in which there is an atom within REACH of each point."""
+    margin = REACH + float(radii.max()) + SPACING
+    low = points.min(axis=0) - margin
+    cells = np.ceil((points.max(axis=0) + margin - low) / SPACING).astype(int) + 1
+    near = np.all((positions > low) & (positions < low + SPACING * cells), axis=1)
+    filled = _filled((positions[near] - low) / SPACING, radii[near] / SPACING, cells)
+    met = np.zeros((len(points), DIRECTIONS), dtype=bool)
+    places, directions = ((points - low) / SPACING)[:, None], _directions()
+    for length in np.arange(1.0, REACH / SPACING + 0.5):
+        at = np.rint(places + length * directions).astype(int)
+        met |= filled[at[..., 0], at[..., 1], at[..., 2]]
+    return np.asarray(met.mean(axis=1))
+
+
+def _filled(places: np.ndarray, radii: np.ndarray, cells: np.ndarray) -> np.ndarray:
+    """Mask of the cells of a grid whose middles are in an atom; lengths are in its steps."""
+    most = int(np.ceil(radii.max()))
+    cube = np.indices((2 * most + 1,) * 3).reshape(3, -1).T - most
+    at = np.rint(places).astype(int)[:, None] + cube
+    inside = np.sum((at - places[:, None]) ** 2, axis=2) <= (radii**2)[:, None]
+    inside &= np.all((at >= 0) & (at < cells), axis=2)
+    filled = np.zeros(cells, dtype=bool)
+    filled[tuple(at[inside].T)] = True
+    return filled
+
+
+def _directions() -> np.ndarray:
+    """(DIRECTIONS, 3) unit vectors, evenly over the sphere (a spiral by the golden angle)."""
+    turn = np.arange(DIRECTIONS) + 0.5
+    z = 1 - 2 * turn / DIRECTIONS
+    angle, r = np.pi * (1 + np.sqrt(5)) * turn, np.sqrt(1 - z**2)
+    return np.stack([r * np.cos(angle), r * np.sin(angle), z], axis=1)

@@ -8,12 +8,14 @@ from typing import Any
 
 from pliant import _core
 from pliant._display import Displayed, Facts
+from pliant._verdict import Verdict, verdict_of_all
 from pliant.check import contest as side_by_side
 from pliant.check.check_record import Remeasured
 from pliant.check.contest import Method
 from pliant.check.coverage import Coverage, coverage
-from pliant.check.findings import FAILED, Finding
+from pliant.check.findings import CANNOT, FAILED, OF_MD_STARTS, Finding
 from pliant.check.force_field.minimised import ForceFieldReport
+from pliant.check.force_field.verdicts import md_verdict
 from pliant.check.recording import Recording
 from pliant.check.sample import Sample
 
@@ -44,20 +46,48 @@ class CheckReport(Displayed):
         return [finding.name for finding in self.findings if finding.status == FAILED]
 
     @property
+    def verdicts(self) -> dict[str, Verdict]:
+        """The answers that the verdict is made from."""
+        made = {"OpenMM": self._of_bars()}
+        if self.force_field is not None and not self.force_field.why_not:
+            made["MD starts"] = md_verdict(self.force_field, self.recording.frame_count)
+        elif any(one.title.startswith(OF_MD_STARTS) for one in self.findings):
+            made["MD starts"] = Verdict("open", "MD starts were not tested.", "", "MD starts")
+        return made
+
+    @property
+    def verdict(self) -> Verdict:
+        """What to believe of the frames: made from all findings."""
+        return verdict_of_all(self.verdicts.values())
+
+    def _of_bars(self) -> Verdict:
+        rows = [one for one in self.findings if not one.title.startswith(OF_MD_STARTS)]
+        failed = [one.in_words for one in rows if one.status == FAILED]
+        cannot = sum(one.status == CANNOT for one in rows)
+        details = f"{cannot} checks are beyond OpenMM." if cannot else ""
+        if failed:
+            return Verdict("bad", f"Checks failed: {'; '.join(failed)}.", details)
+        bars = Coverage(self.covers.frames).text
+        return Verdict("good", "Every bar is whole, and OpenMM agrees.", details, bars)
+
+    @property
     def covers(self) -> Coverage:
         """Of which frames and which parts of the molecule the verdict speaks."""
         return coverage(self.recording, self.force_field)
 
     def facts(self) -> Facts:
         """Each finding with what was measured."""
-        checks = [(one.title, f"{one.status}, {one.measured or '-'}") for one in self.findings]
+        checks = [(one.title, f"{one.result}, {one.measured or '-'}") for one in self.findings]
         answer = "yes" if self.passed else "no"
-        return [("file", self.recording.path), ("passed", f"{answer}: {self.covers.text}"), *checks]
+        head = [("verdict", self.verdict.sentence), ("file", self.recording.path)]
+        return [*head, ("passed", f"{answer}: {self.covers.text}"), *checks]
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
         recording = self.recording
         return {
+            "verdict": self.verdict.kind,
+            "verdict_text": self.verdict.sentence,
             "file": recording.path,
             "passed": self.passed,
             "covers": vars(self.covers),

@@ -42,9 +42,9 @@ def make_parser() -> console.Parser:
         "smallest break, and its harmonic bonds must have the energy that Pliant computes. Copies\n"
         "of a run's frames are broken, and Pliant and OpenMM's CCMA repair them. For an ensemble\n"
         "of a protein, OpenMM minimises 3 to 5 frames and the start structure in the same way\n"
-        "(amber14, implicit water OBC2): may MD start from the frames? That takes 20 to 40 s for\n"
-        "200 residues; --thorough looks at 20 frames, for longer, and at frames of a short MD, in\n"
-        "about ten minutes on two free cores. OpenMM runs in separate processes.",
+        "(amber14, implicit water OBC2): can they be used to start MD? --thorough looks at 20\n"
+        "frames, for longer, and at frames of a short MD: that takes ten times as long or more.\n"
+        "OpenMM runs in separate processes.",
         EPILOG,
         COMMON,
     )

@@ -7,7 +7,7 @@ import math
 
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import Method, Result
-from pliant.check.findings import CANNOT, Finding
+from pliant.check.findings import Finding
 from pliant.check.force_field import text as force_field
 from pliant.console import Table, printable_name
 
@@ -25,6 +25,7 @@ def time_text(seconds: float) -> str:
 def print_report(report: CheckReport) -> None:
     """Prints the report on stdout."""
     recording = report.recording
+    print(report.verdict.sentence)
     print(f"{printable_name(recording.path)}: {_headline(report)}")
     covers = report.covers
     if covers.left_out:
@@ -51,7 +52,6 @@ def print_report(report: CheckReport) -> None:
         print("\n".join(f"  {note}" for note in notes))
     if report.picture:
         print(f"\npicture  {printable_name(report.picture)}")
-    print(f"\n{conclusion(report)}")
 
 
 def _headline(report: CheckReport) -> str:
@@ -69,8 +69,9 @@ def _headline(report: CheckReport) -> str:
 def _checks_table(findings: list[Finding]) -> Table:
     table = Table("checks", ["what", "result", "measured", "allowed"], text_columns=(0, 1))
     for finding in findings:
-        status = "OpenMM cannot" if finding.status == CANNOT else finding.status
-        table.rows.append((finding.title, status, finding.measured or "-", finding.allowed or "-"))
+        table.rows.append(
+            (finding.title, finding.result, finding.measured or "-", finding.allowed or "-")
+        )
     return table
 
 
@@ -112,12 +113,3 @@ def _residuals_table(methods: list[Method]) -> Table:
 
 def _residual_cell(residual: float) -> str:
     return f"{residual:.1e}" if math.isfinite(residual) else "no number"
-
-
-def conclusion(report: CheckReport) -> str:
-    """The last line: the verdict, and what it covers."""
-    if report.failed:
-        return f"failed: {', '.join(report.failed)}"
-    cannot = sum(finding.status == CANNOT for finding in report.findings)
-    beyond = f"; {cannot} checks are beyond OpenMM" if cannot else ""
-    return f"passed: {report.covers.text}{beyond}"

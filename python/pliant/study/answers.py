@@ -7,19 +7,23 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._verdict import Verdict
 from pliant.analyse.domains.domain_texts import domain_line, domain_verdict
 from pliant.analyse.parts import RigidDomains, Torsions, UnitFlexibility, Units
 from pliant.analyse.shapes.other_shapes import OtherShapes
 from pliant.analyse.shapes.shape_texts import turns_text
-from pliant.analyse.verdicts import whole
 from pliant.console import counted
 
 if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
+    from pliant.analysis.flexibility import Flexibility
     from pliant.path.found import MolecularPath
     from pliant.study.studied import Study
 
 MOST_NAMED = 5  #: residues, ligands or hinges that a line names
+
+#: what answers are called where people read them
+LABELS = {"together": "moves as one"}
 
 
 def answers(study: Study) -> dict[str, str]:
@@ -27,6 +31,7 @@ def answers(study: Study) -> dict[str, str]:
     analysis = study.report.analysis
     small = analysis[Units].what == "atom"
     lines = {
+        "verdict": study.report.verdict.sentence,
         "molecule": _molecule(analysis),
         "left out": "; ".join(study.sampled.facts["left_out"]) or "nothing",
         "flexible": _flexible(study),
@@ -37,9 +42,62 @@ def answers(study: Study) -> dict[str, str]:
         lines["path"] = _path(study.path, study.end)
     if not small:
         lines["MD starts"] = _md_starts(study)
-    lines["verdict"] = whole(analysis).sentence
     lines["page"] = str(study.page)
+    lines["files"] = _files(study)
     return lines
+
+
+def verdicts(study: Study) -> dict[str, Verdict]:
+    """What was found beside the analysis of the frames: of the input, the path, and OpenMM."""
+    made = {"input": _input(study), "path": _path_verdict(study)}
+    if study.check is not None:
+        made |= study.check.verdicts
+    elif study.report.analysis[Units].what != "atom":
+        why = f"MD starts were not tested: {study.why_no_check}."
+        made["MD starts"] = Verdict("open", why, "", "MD starts")
+    return {name: one for name, one in made.items() if one is not None}
+
+
+def _input(study: Study) -> Verdict | None:
+    """What the structure lacks, which matters, and what else was guessed of it."""
+    missing, said = (study.sampled.facts[name] for name in ("missing", "warnings"))
+    if missing:
+        more = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
+        return Verdict(
+            "mixed", f"The structure is incomplete: {missing[0]}{more}.", _sentences(said)
+        )
+    return (
+        Verdict("open", "Something about the input was guessed.", _sentences(said))
+        if said
+        else None
+    )
+
+
+def _sentences(texts: list[str]) -> str:
+    return " ".join(f"{text[:1].upper()}{text[1:]}." for text in texts)
+
+
+def _path_verdict(study: Study) -> Verdict | None:
+    if study.path is None:
+        return None
+    if study.path.arrived:
+        return Verdict("good", f"A path to {study.end} was found.", "", f"path to {study.end}")
+    left = f"{study.path.reached:.1f} Å of {study.path.frames[0].to_end:.1f} Å are left"
+    return Verdict("mixed", f"No path to {study.end} was found: {left}.", "")
+
+
+def _files(study: Study) -> str:
+    """What a user would open, and what is in it."""
+    models = {"representatives": study.representatives and len(study.representatives.frames)}
+    models["shapes"] = (
+        len(shapes.shapes) if (shapes := study.report.analysis.get(OtherShapes)) else 0
+    )
+    shown = [f"{name}.pdb ({counted(n, 'model')})" for name, n in models.items() if n]
+    path = ["path.h5md"] if study.path is not None else []
+    scripts = ["show.pml (PyMOL)", "show.cxc (ChimeraX)"]
+    return f"in {study.folder}: " + ", ".join(
+        ["ensemble.h5md", "ensemble.pdb", *shown, *path, *scripts]
+    )
 
 
 def _molecule(analysis: Analysis) -> str:
@@ -61,14 +119,17 @@ def _flexible(study: Study) -> str:
     found = part.found
     among = np.flatnonzero(units.ranked)
     most = among[np.argsort(-found.rmsf[among], kind="stable")][:MOST_NAMED]
-    named = ", ".join(
-        f"{units.labels[k]} {found.rmsf[k]:.1f} ± {2 * found.error[k]:.1g}" for k in most
-    )
+    named = ", ".join(f"{units.labels[k]} {found.rmsf[k]:.1f}" for k in most)
     doubt = "" if found.converged else "; not converged"
     mean = f"{found.rmsf[among].mean():.2f} Å on average"
     if study.sampled.facts["amplitude_asked"] > 0:  # none of conformers
-        mean += "; the size follows from the amplitude, an input"
-    return f"{named} Å ({mean}){doubt}"
+        mean += ", an input: which parts move more than others is the result"
+    return f"{named} Å ({mean}; sampling error {_percent(found, among)}){doubt}"
+
+
+def _percent(found: Flexibility, among: np.ndarray) -> str:
+    """Two standard errors, as a share of the RMSF: the size of the latter is an input."""
+    return f"{200 * found.error[among].mean() / found.rmsf[among].mean():.0f} %"
 
 
 def _rotatable(analysis: Analysis) -> str:
@@ -101,7 +162,7 @@ def _other_shapes(analysis: Analysis) -> str:
     if not part.shapes:
         return "none found: the frames far from the start are all unlike each other"
     first = part.shapes[0]
-    furthest = f"the furthest {first.rmsd:.1f} Å away: {turns_text(analysis, first)}"
+    furthest = f"the furthest {first.rmsd:.1f} Å away: rotated {turns_text(analysis, first)}"
     return f"{len(part.shapes)}, {furthest}"
 
 
@@ -119,14 +180,8 @@ def _path(path: MolecularPath, end: str) -> str:
 
 def _md_starts(study: Study) -> str:
     if study.check is None:
-        return f"not looked at: {study.why_no_check}"
-    covers, failed = study.check.covers, study.check.failed
-    if not covers.md_starts:
-        return "not known: OpenMM could not minimise a frame"
-    alone = f", of the protein alone, without {covers.without}" if covers.left_out else ""
-    answer = f"no ({', '.join(failed)})" if failed else "yes"
-    looked_at = f"{covers.md_starts} of {covers.frames} frames were looked at"
-    return f"{answer}, once minimised{alone}; {looked_at}"
+        return f"not tested: {study.why_no_check}"
+    return study.check.verdicts["MD starts"].sentence
 
 
 def _some(names: list[str]) -> str:

@@ -25,11 +25,13 @@ The folder has:
   report.html            the page, for any browser
   ensemble.h5md, .pdb    the frames; MDAnalysis opens them, pliant convert writes other formats
   representatives.pdb    20 frames that stand for all, for docking or to look at
+  shapes.pdb             one frame for each other shape of a protein
   path.h5md              the path to END
-  show.pml, show.cxc     scripts for PyMOL and ChimeraX; tables (CSV) and figures (PNG)
+  show.pml, show.cxc     load all of these in PyMOL and ChimeraX
+  and tables (CSV) and figures (PNG)
 
-Where OpenMM is installed, it minimises 3 to 5 frames of a protein: may MD start from them? For 200
-residues that takes 20 to 40 s, the rest 10 s.
+Where OpenMM is installed, it minimises 3 to 5 frames of a protein: can they be used to start MD?
+--no-check leaves this out, which saves most of the time of a protein of 100 residues or more.
 
 Exit code: 0 done (whatever the answers are), 1 a file cannot be read or written, 2 bad option.
 
@@ -71,6 +73,7 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _study(arguments: argparse.Namespace) -> int:
+    from pliant.study.answers import LABELS
     from pliant.study.suite import study
 
     with warnings.catch_warnings(), console.stages(arguments.quiet) as on_stage:
@@ -93,7 +96,7 @@ def _study(arguments: argparse.Namespace) -> int:
         for text in found.sampled.facts["warnings"]:
             console.warn(text)
         for what, answer in found.answers.items():
-            print(f"{what:<14}{console.printable(answer)}")
+            print(f"{LABELS.get(what, what):<14}{console.printable(answer)}")
     return console.EXIT_OK
 
 

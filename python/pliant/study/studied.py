@@ -45,7 +45,10 @@ class Study(Displayed):
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
+        judged = self.report.verdict
         return {
+            "verdict": judged.kind,
+            "verdict_text": judged.sentence,
             "file": self.file,
             "answers": self.answers,
             "left_out": self.sampled.facts["left_out"],

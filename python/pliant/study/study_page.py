@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from pliant.analyse.page.additions import Additions
 from pliant.analyse.page.page_tables import PageTable
 from pliant.analyse.page.sections import ON_THE_WAY, STARTS
+from pliant.study.answers import LABELS
 
 if TYPE_CHECKING:
     from pliant.check.check_report import CheckReport
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from pliant.study.studied import Study
 
 #: answers that the page gives elsewhere
-NOT_AT_THE_HEAD = ("verdict", "page")
+NOT_AT_THE_HEAD = ("verdict", "page", "files")
 
 
 def additions(study: Study) -> Additions:
@@ -25,9 +26,13 @@ def additions(study: Study) -> Additions:
         tables.append(_path_table(study.path, study.end))
     if study.check is not None:
         tables.append(_check_table(study.check))
-    answers = {k: text for k, text in study.answers.items() if k not in NOT_AT_THE_HEAD}
+    answers = {
+        LABELS.get(k, k): text for k, text in study.answers.items() if k not in NOT_AT_THE_HEAD
+    }
     files = [study.sampled.ensemble, *study.outputs.values()]
-    return Additions("pliant study", answers, tables, files)
+    models = [path for name, path in study.outputs.items() if name == "representatives"]
+    verdicts = study.report.more_verdicts
+    return Additions("pliant study", answers, verdicts, tables, files, models)
 
 
 def _path_table(path: MolecularPath, end: str) -> PageTable:
@@ -55,8 +60,7 @@ def _path_table(path: MolecularPath, end: str) -> PageTable:
 
 def _check_table(check: CheckReport) -> PageTable:
     rows = [
-        (one.title.removeprefix("MD starts: "), one.status, one.measured or "–", one.allowed or "–")
-        for one in check.findings
+        (one.subject, one.result, one.measured or "–", one.allowed or "–") for one in check.findings
     ]
     caption = f"Checked with OpenMM: {check.covers.text}"
     return PageTable(STARTS, caption, ("what", "result", "measured", "allowed"), rows)

@@ -22,7 +22,7 @@ from pliant.analyse.stages import STAGES, analyse_trajectory
 from pliant.analyse.suite import DPI, AnalysisReport
 from pliant.analyse.write import check_folder, write_report
 from pliant.path import walk
-from pliant.study.answers import answers
+from pliant.study.answers import answers, verdicts
 from pliant.study.sampled import sampled
 from pliant.study.studied import Study
 from pliant.study.study_page import additions
@@ -166,6 +166,7 @@ class _Task:
             on_stage("representatives")
             found.representatives = self._representatives(found)
             self._check(found, on_stage)
+            report.more_verdicts = verdicts(found)
             found.answers = answers(found)
             on_stage("figures and page")
             report.outputs = write_report(report.analysis, self.folder, DPI, additions(found))

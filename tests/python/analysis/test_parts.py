@@ -46,7 +46,8 @@ def test_domains_are_listed_with_how_often_they_are_found(analysis):
         part = RigidDomains(domains, np.arange(count), domain, np.zeros(count))
         whole = analysis.having(part)
         rows = [one.rows for one in tables(whole) if one.caption == text]
-        return rows, verdicts(whole)["domains"], summary(whole, {})
+        answers = verdicts(whole)
+        return rows, answers["domains"], summary(whole, {}, answers)
 
     rows, verdict, values = made(np.zeros(count, dtype=int), [1.0], {1: 1.0})
     assert rows == [] and verdict.sentence.startswith("One piece") and values["domains"] == 1
@@ -64,5 +65,5 @@ def test_domains_are_listed_with_how_often_they_are_found(analysis):
     none = np.full(count, LOOSE)
     (rows,), verdict, values = made(none, [], {1: 0.6, 2: 0.4}, (), [(np.array([0, 1]), 0.4)])
     assert [row[0] for row in rows] == ["undecided", "how many"] and rows[0][2] == "40 %"
-    assert verdict.kind == "open" and "do not repeat" in verdict.sentence
+    assert verdict.kind == "open" and verdict.sentence == "No reproducible domains were found."
     assert "1 in 60 %, 2 in 40 %" in verdict.details and values["domains"] == 0

@@ -8,7 +8,8 @@ import MDAnalysis
 import numpy as np
 import pytest
 from pliant.analyse.command import main
-from pliant.analysis.pockets import RADII, find_pockets, room_among
+from pliant.analyse.pockets.pocket_volumes import Pocket, _is_gap
+from pliant.analysis.pockets import RADII, Room, find_pockets, room_among
 from scipy.spatial import Delaunay
 from test_shapes import shell
 
@@ -29,18 +30,42 @@ KVFINDER = {"1hvr.pdb": [643], "adk_open.pdb": [146], "1a28.pdb.gz": [564, 564, 
 def test_room_among_the_atoms_of_a_sphere_is_that_of_the_sphere(radius):
     atoms, every = shell(radius, 1500) + 0.3, np.arange(1500)
     expected = 4 / 3 * np.pi * (radius - 1.7) ** 3
-    coarse = room_among(atoms, np.full(1500, 1.7), every)
-    fine = room_among(atoms, np.full(1500, 1.7), every, spacing=0.5)
+    coarse = room_among(atoms, np.full(1500, 1.7), every).all
+    fine = room_among(atoms, np.full(1500, 1.7), every, spacing=0.5).all
     assert coarse == pytest.approx(expected, rel=0.08)
     assert abs(fine - expected) < abs(coarse - expected)
     bowl = np.flatnonzero(atoms[:, 2] < 0.3)  # whose mouth counts up to a plane
-    half = room_among(atoms[bowl], np.full(len(bowl), 1.7), np.arange(len(bowl)))
+    half = room_among(atoms[bowl], np.full(len(bowl), 1.7), np.arange(len(bowl))).all
     assert half == pytest.approx(expected / 2, rel=0.04)
 
 
 def test_there_is_no_room_among_atoms_that_touch():
     atoms = 1.5 * np.argwhere(np.ones((4, 4, 4)))
-    assert room_among(atoms, np.full(len(atoms), 1.7), np.arange(len(atoms))) == 0.0
+    assert room_among(atoms, np.full(len(atoms), 1.7), np.arange(len(atoms))) == Room(0.0, 0.0)
+
+
+def test_a_gap_between_walls_is_no_pocket():
+    """Midway, rays that meet a wall within 8 A are a share of 1 - width / 16 of all."""
+    x, y = np.meshgrid(np.arange(0, 30, 1.5), np.arange(0, 30, 1.5))
+    wall = np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
+    rooms = {}
+    for width in (4.0, 6.0, 10.0, 16.0):
+        atoms = np.concatenate([wall, wall + np.array([0, 0, width + 3.4])])
+        rooms[width] = room_among(atoms, np.full(len(atoms), 1.7), np.arange(len(atoms)))
+        assert rooms[width].all > 2000
+    shares = {width: room.share for width, room in rooms.items()}
+    assert min(shares[4.0], shares[6.0]) > 0.8
+    assert max(shares[10.0], shares[16.0]) < 0.2
+
+
+def test_a_frame_whose_lining_has_come_apart_has_no_volume():
+    volumes, gaps = np.array([500.0, 4000.0, 20.0, 700.0]), np.array([False, True, True, False])
+    found = Pocket("pocket 1", np.arange(3), np.arange(1), 480.0, 20.0, volumes, gaps)
+    assert (found.smallest, found.largest, found.mean) == (0, 3, 600.0)
+    assert not _is_gap(Room(1000.0, 550.0), Room(500.0, 500.0))
+    assert _is_gap(Room(4000.0, 1000.0), Room(500.0, 500.0))
+    assert not _is_gap(Room(4000.0, 1000.0), Room(500.0, 200.0)), "at the surface of the start, too"
+    assert not _is_gap(Room(0.0, 0.0), Room(500.0, 500.0)), "what closes is no gap"
 
 
 def heavy_atoms(name):
@@ -60,7 +85,9 @@ def test_volumes_are_those_of_kvfinder():
         atoms, radii = heavy_atoms(name)
         positions = atoms.positions.astype(float)
         found = find_pockets(positions, radii)
-        ours += [room_among(positions, radii, lined(found, k)) for k in range(len(volumes))]
+        ours += [
+            room_among(positions, radii, lined(found, k)).enclosed for k in range(len(volumes))
+        ]
         theirs += volumes
     ratio = np.array(ours) / theirs
     assert ratio.min() > 0.9

@@ -254,11 +254,15 @@ def test_a_run_is_no_ensemble_and_no_tick_is_green_where_a_question_fails(tmp_pa
     command("run", PEPTIDE, "-o", tmp_path / "bars.h5md", "--steps", 150, "--quiet")
     found = pliant.analyse(tmp_path / "bars.h5md", tmp_path / "out", dpi=50).as_json()
     assert found["frames_are"] == "path"
-    assert found["verdicts"]["what it is"] == {"kind": "mixed", "text": "Not an ensemble."}
+    assert found["verdicts"]["what it is"] == {
+        "kind": "mixed",
+        "text": "A path of pushes, not an ensemble.",
+    }
     assert found["verdicts"]["convergence"]["kind"] == "mixed"
-    assert found["verdict"] == "good"
+    assert found["verdicts"]["bars"]["kind"] == "good"
     assert found["verdicts"]["stereochemistry"]["kind"] == "bad"
-    assert found["judgement"] == "bad"
+    assert found["judgement"] == found["verdict"] == "bad"
+    assert "Stereochemistry is broken" in found["verdict_text"]
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     body = page[page.index("<body>") :]
     assert 'class="one bad"' in body

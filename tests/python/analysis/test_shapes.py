@@ -215,7 +215,7 @@ def test_the_report_says_which_shapes_there_are(ensemble, tmp_path, no_drawing):
     for row in found:
         first = int(row["turned"].split()[0].removeprefix("ALA"))
         assert abs(first - 37) <= 2
-        assert row["turned"].endswith(f"° about ALA{first - 1}|ALA{first}")
+        assert row["turned"].endswith(f"° about ALA{first - 1}/ALA{first}")
         assert row["turned"].startswith(f"ALA{first} to ALA60 by ")
     shape = [row["shape"] for row in rows_of(folder / "frames.csv")]
     assert shape == ["0"] * NEAR + ["3"] * 5 + ["2"] * 4 + ["1"] * 2 + [""]

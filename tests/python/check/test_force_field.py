@@ -14,8 +14,7 @@ from pliant.check.force_field.hydrogens import hydrogen_counts
 from pliant.check.force_field.minimise import QUICK, THOROUGH, Wanted, minimise_frames
 from pliant.check.force_field.minimised import ForceFieldReport, Minimised
 from pliant.check.force_field.molecule import molecule_of
-from pliant.check.force_field.text import lines_of
-from pliant.check.force_field.verdicts import findings_of, is_usable, reached
+from pliant.check.force_field.verdicts import findings_of, md_verdict, reached
 
 import pliant
 
@@ -207,7 +206,7 @@ def test_frames_damaged_on_purpose_fail_and_are_named(peptide, start):
     assert by_name["starts_finite"].status == FAILED
     assert "frame 3" in by_name["starts_finite"].notes[0]
     assert "frame 0" not in "".join(by_name["starts_finite"].notes + shape.notes)
-    assert not is_usable(report)
+    assert md_verdict(report, 4).kind == "mixed"
 
 
 def test_what_has_no_template_is_left_out_with_a_warning(peptide, start):
@@ -246,9 +245,12 @@ def test_the_verdict_says_first_what_it_does_not_cover(peptide, start, sampled):
     assert said == [
         "OpenMM minimises the start and 1 frame, 157 atoms each, without 1 ZN: no parameters"
     ]
-    assert lines_of(report)[0] == (
-        "usable as MD starts, once minimised: yes, of the protein alone, without 1 ZN"
+    said = md_verdict(report, 200)
+    assert said.sentence == (
+        "MD of the protein alone (without 1 ZN) can be started from these frames, once minimised. "
+        "1 of 200 frames tested."
     )
+    assert said.details == "What frames do near 1 ZN is not tested."
     found = Coverage(200, len(report.usable), report.left_out)
     assert found.text == (
         "bars of all 200 frames; MD starts: 1 frame, the protein alone, without 1 ZN"
@@ -345,7 +347,7 @@ def status_of(report):
 
 def test_95_percent_of_frames_must_be_within_the_limits():
     good = [1.0] * 19
-    assert is_usable(made([*good, 9.0], [0.5] * 20, [0.3] * 20))
+    assert md_verdict(made([*good, 9.0], [0.5] * 20, [0.3] * 20), 20).kind == "good"
     two = status_of(made([*good[:18], 9.0, 9.0], [0.5] * 20, [0.3] * 20))
     assert two["starts_energy_100"] == FAILED and two["starts_energy_500"] == PASSED
     late = status_of(made([1.0] * 20, [1.01] * 20, [0.3] * 20))

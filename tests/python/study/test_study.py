@@ -2,13 +2,23 @@
 """pliant study: one command, one folder, one page, at most nine lines."""
 
 import json
+import re
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from pliant._verdict import verdict_of_all
+from pliant.check.check_report import CheckReport
+from pliant.check.findings import Finding
+from pliant.check.force_field import verdicts as verdicts_of_md
 
 import pliant
 
 pytest.importorskip("MDAnalysis")
+answers_of = pytest.importorskip("pliant.study.answers")
+verdicts = pytest.importorskip("pliant.analyse.verdicts").verdicts
+LABELS = answers_of.LABELS
 main = pytest.importorskip("pliant.study.command").main
 
 MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
@@ -42,25 +52,114 @@ def test_one_folder_has_a_page_an_ensemble_and_representatives(studied):
 def test_the_answers_are_at_the_head_of_the_page(studied):
     page = studied.page.read_text()
     head = page.index('<section class="answers card">')
-    assert head < page.index('<section class="verdict card')
+    assert page.index('<section class="verdict card') < head
     assert page.index("pliant study") < head
     for what, answer in studied.answers.items():
-        assert what in ("verdict", "page") or f"<td>{what}</td>" in page, answer
+        label = LABELS.get(what, what)
+        assert what in ("verdict", "page", "files") or f"<td>{label}</td>" in page, answer
     assert '<a href="representatives.pdb">' in page
 
 
 def test_what_is_flexible_and_what_was_left_out_is_said(studied):
     said = studied.answers
     assert list(said) == [
-        *("molecule", "left out", "flexible", "together", "other shapes"),
-        *("MD starts", "verdict", "page"),
+        *("verdict", "molecule", "left out", "flexible", "together", "other shapes"),
+        *("MD starts", "page", "files"),
     ]
     assert said["left out"] == "1 water"
     assert said["molecule"].startswith("20 residues")
     flexibility = studied.report.analysis[pliant.analyse.parts.UnitFlexibility].found
-    assert f"{flexibility.rmsf.max():.1f} ± " in said["flexible"].split(",")[0]
-    assert "the size follows from the amplitude, an input" in said["flexible"]
-    assert said["MD starts"] == "not looked at: --no-check"
+    assert said["flexible"].split(",")[0].endswith(f" {flexibility.rmsf.max():.1f}")
+    assert "an input: which parts move more than others is the result" in said["flexible"]
+    assert said["MD starts"] == "not tested: --no-check"
+
+
+def test_the_verdict_comes_first_and_is_one(studied):
+    values = studied.as_json()
+    assert list(values)[:2] == ["verdict", "verdict_text"]
+    judged = studied.report.verdict
+    assert judged.sentence == studied.answers["verdict"] == values["verdict_text"]
+    analysis = values["analysis"]
+    assert analysis["verdict_text"] == analysis["judgement_text"] == judged.sentence
+    assert f"<strong>{judged.sentence}</strong>" in studied.page.read_text()
+    assert "Not checked: MD starts" in judged.sentence + judged.details
+
+
+def checked(**failed):
+    """A check of an ensemble in which some findings failed."""
+    findings = [
+        Finding("record", "bars of all frames, measured anew", "passed"),
+        Finding("starts_moved", "MD starts: shift of alpha carbons in 100 steps", "passed"),
+    ]
+    for one in findings:
+        if one.name in failed:
+            one.status, one.measured, one.allowed = "failed", failed[one.name], "0.40 A"
+    return findings
+
+
+@pytest.mark.parametrize(
+    ("failed", "kind", "words"),
+    [
+        ({}, "good", "MD starts (3 of 20 frames tested)"),
+        (
+            {"starts_moved": "0.48 A"},
+            "mixed",
+            "Do not start MD from these frames: shift of alpha carbons in 100 steps: 0.48 A "
+            "(0.40 A allowed). 3 of 20 frames tested.",
+        ),
+        ({"record": "0.1"}, "bad", "Do not use these frames as they are. Checks failed: bars of"),
+    ],
+)
+def test_what_openmm_finds_is_part_of_the_verdict(studied, failed, kind, words, monkeypatch):
+    findings = checked(**failed)
+    monkeypatch.setattr(verdicts_of_md, "findings_of", lambda report: findings[1:])
+    force_field = SimpleNamespace(left_out={}, usable=[1, 2, 3], why_not="", without="")
+    recording = SimpleNamespace(frame_count=20)
+    check = CheckReport(recording, None, None, findings, [], "", 0.0, force_field=force_field)
+    found = replace(studied, check=check)
+    made = {**verdicts(studied.report.analysis), **answers_of.verdicts(found)}
+    judged = verdict_of_all(
+        one for one in made.values() if one.kind != "mixed" or "MD" in one.sentence
+    )
+    assert judged.kind == kind
+    assert words in judged.sentence
+    assert "starts_moved" not in judged.sentence
+    assert check.verdict.kind == kind
+
+
+def test_what_the_structure_lacks_is_in_the_verdict(studied):
+    facts = {**studied.sampled.facts, "missing": ["1 chain break: A 5 to 9"], "warnings": ["so"]}
+    found = replace(studied, sampled=replace(studied.sampled, facts=facts))
+    made = answers_of.verdicts(found)["input"]
+    assert made.kind == "mixed"
+    assert made.sentence == "The structure is incomplete: 1 chain break: A 5 to 9."
+
+
+def test_a_path_that_did_not_arrive_is_in_the_verdict(studied):
+    path = SimpleNamespace(arrived=False, reached=2.1, frames=[SimpleNamespace(to_end=6.9)])
+    made = answers_of.verdicts(replace(studied, path=path, end="end.pdb"))["path"]
+    assert (made.kind, made.sentence) == (
+        "mixed",
+        "No path to end.pdb was found: 2.1 Å of 6.9 Å are left.",
+    )
+
+
+def test_the_files_that_are_named_are_there_and_the_scripts_load_them(studied):
+    folder = studied.folder
+    named = re.findall(r"[\w.]+\.(?:pdb|h5md|pml|cxc)", studied.answers["files"].split(": ", 1)[1])
+    assert {"ensemble.h5md", "representatives.pdb", "show.pml"} <= set(named)
+    for name in named:
+        assert (folder / name).exists(), name
+    pymol, chimerax = ((folder / f"show.{end}").read_text() for end in ("pml", "cxc"))
+    for loaded in re.findall(r"^load (\S+),", pymol, re.M) + re.findall(
+        r"^open (\S+)", chimerax, re.M
+    ):
+        assert (folder / loaded).exists(), loaded
+    assert "load representatives.pdb, representatives" in pymol
+    assert "open representatives.pdb id 2" in chimerax
+    objects = set(re.findall(r"^load \S+, (\S+)", pymol, re.M))
+    for prefix in re.findall(r"^(?:enable|zoom|disable) (\w+)_?\*?", pymol, re.M):
+        assert any(one.startswith(prefix.rstrip("_")) for one in objects | {"all"}), prefix
 
 
 @pytest.mark.long
@@ -69,7 +168,7 @@ def test_the_command_prints_a_line_an_answer(studied, tmp_path, capsys, monkeypa
     assert main([str(PEPTIDE), "--frames", "8", "--no-check"]) == 0
     out, err = capsys.readouterr()
     assert err == ""
-    assert len(out.splitlines()) == 8
+    assert len(out.splitlines()) == 9
     assert answers(out)["page"] == "peptide_20-study/report.html"
     assert main([str(PEPTIDE), "--no-check"]) == 1
     assert capsys.readouterr().err == (
@@ -97,7 +196,7 @@ def test_conformers_of_a_small_molecule_are_studied(tmp_path, capsys):
     assert main(words) == 0
     said = answers(capsys.readouterr().out)
     assert "its frames are conformers" in said["molecule"]
-    assert said["together"].endswith("rotatable bonds")
+    assert said["moves as one"].endswith("rotatable bonds")
     assert said["other shapes"].startswith("30 conformers; 20 stand for all, within ")
     assert "MD starts" not in said and "an input" not in said["flexible"]
 
@@ -109,7 +208,7 @@ def test_openmm_looks_at_a_few_frames(tmp_path, capsys):
     assert main([*words, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["check"]["covers"] == {"frames": 8, "md_starts": 5, "left_out": {}}
-    assert found["answers"]["MD starts"].endswith("; 5 of 8 frames were looked at")
+    assert found["answers"]["MD starts"].endswith("5 of 8 frames tested.")
     assert "Starting molecular dynamics" in (tmp_path / "out" / "report.html").read_text()
 
 

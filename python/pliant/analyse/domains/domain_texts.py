@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant.analyse.bar_verdict import Verdict
+from pliant._verdict import Verdict
 from pliant.analyse.parts import RigidDomains, Units
 from pliant.analysis.domains import RESAMPLES, TOGETHER, Hinge
 
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 RULE = (
     f"Domains were looked for in {RESAMPLES} resamples of the frames (blocks drawn with "
-    f"replacement). Shown is what is together in {100 * TOGETHER:.0f} % of them."
+    f"replacement). Shown is what is together in {100 * TOGETHER:.0f} % of them. That a domain "
+    "repeats shows that the frames suffice to find it, not that the molecule has it."
 )
 
 
@@ -29,14 +30,14 @@ def domain_verdict(analysis: Analysis) -> Verdict | None:
     found = part.found
     if found.count == 0:
         why = f"Number of domains: {numbers_text(analysis)}. {RULE}"
-        return Verdict("open", "No domains are shown: they do not repeat.", why)
+        return Verdict("open", "No reproducible domains were found.", why)
     if found.count == 1:
         one = "One piece: no two parts move against each other as rigid bodies."
         return Verdict("open", one, f"In {_percent(found.found[0])} of the resamples. {RULE}")
     least = found.found.min()
     share = "all" if least == 1.0 else f"at least {_percent(least)} of"
     sentence = f"{found.count} domains, each found in {share} {RESAMPLES} resamples of the frames."
-    return Verdict("good", sentence, RULE)
+    return Verdict("open", sentence, RULE)
 
 
 def numbers_text(analysis: Analysis) -> str:
@@ -75,7 +76,7 @@ def domain_line(analysis: Analysis) -> str:
     hinges = ", ".join(
         f"{_hinge_text(analysis, hinge)} ({_percent(hinge.share)})" for hinge in part.found.hinges
     )
-    line = f"{part.found.count} domains (share of resamples): {domains}"
+    line = f"{part.found.count} domains (how often resampled frames show them): {domains}"
     return line + (f"; hinge {hinges}" if hinges else "")
 
 

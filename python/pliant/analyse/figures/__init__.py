@@ -114,7 +114,8 @@ FIGURES = (
         "pockets", POCKETS, pocket_volume_figure, PocketVolumes,
         "Room in each pocket, frame by frame. The dashed line is the start, its band the error of "
         "the grid; circles mark the smallest and the largest frame, which are written as PDB "
-        "files. Ligands are taken out before the room is measured.",
+        "files. A cross is a frame in which the lining has come apart: a gap, which has no volume. "
+        "Ligands are taken out before the room is measured.",
         suits=lambda analysis: len(analysis[PocketVolumes].places) > 1,
     ),
     FigureKind(

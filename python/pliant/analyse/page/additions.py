@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
 
+from pliant._verdict import Verdict
 from pliant.analyse.page.page_tables import PageTable
 
 
@@ -17,8 +18,10 @@ class Additions:
 
     made_by: str = "pliant analyse"
     answers: Mapping[str, str] = field(default_factory=dict)  #: at the head: what -> the answer
+    verdicts: Mapping[str, Verdict] = field(default_factory=dict)  #: on more than an analysis asks
     tables: Sequence[PageTable] = ()
     files: Sequence[Path] = ()
+    models: Sequence[Path] = ()  #: those of the files that show.pml and show.cxc load: PDB
 
     def head(self) -> str:
         """The answers as a card; "" without any."""

@@ -21,8 +21,8 @@ METHODS = (
     ("Other shapes", "Frames drawn to reach further than those around the start, if their RMSD "
      "from it (CA or P, superposed) is above 3 Å and above that of every frame around it. They are "
      "put together (average linkage) while they are less apart than √2 of that limit, and further "
-     "until there are eight shapes at most; a frame that is like no other is no shape. The frame "
-     "shown is the medoid; the spread is the mean RMSD of the frames from it. What turned are "
+     "until there are eight shapes at most; single outliers are not listed. The frame "
+     "shown is the medoid; the spread is the mean RMSD of the frames from it. What rotated are "
      "pieces that are rigid from the start to that frame (see Domains); angles are against the "
      "largest. A contact is gone when the frame lets it go, or exceeds it by more than 0.1 Å."),
     ("Known pairs", "How far apart two known structures of a protein are, for the 16 of 58 starts "
@@ -36,10 +36,14 @@ METHODS = (
      "no pocket. Listed is what has 100 Å³ more room beside its residues than at the start, and "
      "more than the mean and two standard deviations of five frames around it."),
     ("Pocket volumes", "Room for a sphere of 1.4 Å that touches no atom, within the convex hull of "
-     "the heavy atoms that line the pocket, on a 1 Å grid. They are within 4.5 Å of a ligand, or "
-     "nearest to a pocket of the start (or of a frame where one opens), the same in "
+     "the heavy atoms that line the pocket, on a 1 Å grid, where it is enclosed: at least half of "
+     "all directions meet an atom within 8 Å (Halgren 2009). The atoms are within 4.5 Å of a "
+     "ligand, or nearest to a pocket of the start (or of a frame where one grows), the same in "
      "all frames. Ligands and water are taken out. The error is the r.m.s. difference from a grid "
-     "of 0.5 Å. Up to 100 frames are measured."),
+     "of 0.5 Å. Where less than half as much of the room is enclosed as at the start, the lining "
+     "has come apart: that frame has a gap, and no volume. A pocket opens if it grows by 100 Å³ "
+     "from less than 100 Å³ at the start, hardly room for a benzene; it widens if it was open. Up "
+     "to 100 frames are measured."),
     ("Collectivity", "exp of the entropy of the residues' shares, over their number (Brueschweiler "
      "1995): 1 if all move equally."),
     ("Stereochemistry", "Up to 100 frames, spread over all. Bond angles against the start "

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant._core import techniques
+from pliant._verdict import Verdict, verdict_of_all
 from pliant.analyse.figures.style import WIDE
 from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.page.additions import NOTHING, Additions
@@ -32,11 +33,10 @@ from pliant.analyse.page.page_tables import facts, tables, title
 from pliant.analyse.page.scene import scene
 from pliant.analyse.page.sections import SECTIONS, WIDE_SECTIONS
 from pliant.analyse.parts import Residuals
-from pliant.analyse.verdicts import verdicts, whole
+from pliant.analyse.verdicts import verdicts
 
 if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
-    from pliant.analyse.bar_verdict import Verdict
     from pliant.analyse.figures import FigureKind
 
 
@@ -72,7 +72,7 @@ def page(
         subtitle=escape(_subtitle(analysis)),
         style=text_of("page.css"),
         eyebrow=more.made_by,
-        lead=more.head() + _lead(analysis),
+        lead=_lead([*verdicts(analysis).values(), *more.verdicts.values()], more),
         viewer=viewer(shown is not None),
         facts="\n".join(fact(*row) for row in facts(analysis)),
         notes=_notes(analysis, shown),
@@ -104,20 +104,19 @@ def _technique(run: Mapping[str, Any]) -> str:
     return f"{used}, weighting {run.get('run/weighting', '?')}" if weighted else used
 
 
-def _lead(analysis: Analysis) -> str:
-    """The verdict over all, and one line a question."""
-    judged = whole(analysis)
+def _lead(made: Sequence[Verdict], more: Additions) -> str:
+    """The verdict over all, the answers of a study, and one line a question."""
+    judged = verdict_of_all(made)
     return (
         f'<section class="verdict card {judged.kind}">\n'
         f'<div class="mark" aria-hidden="true">{MARKS[judged.kind]}</div>\n'
         f"<p><strong>{escape(judged.sentence)}</strong><span>{escape(judged.details)}</span></p>\n"
-        f'</section>\n<section class="verdicts card">\n{_verdicts(analysis)}\n</section>'
+        f'</section>\n{more.head()}<section class="verdicts card">\n{_verdicts(made)}\n</section>'
     )
 
 
-def _verdicts(analysis: Analysis) -> str:
+def _verdicts(made: Sequence[Verdict]) -> str:
     """One line a question; none is green while another has failed."""
-    made = verdicts(analysis).values()
     failed = any(one.kind == "bad" for one in made)
     return "\n".join(_verdict(one, failed) for one in made)
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant.analyse.amplitude import asked_amplitude
 from pliant.analyse.bar_verdict import scientific, tolerance_text
 from pliant.analyse.domains.domain_texts import domain_rows
 from pliant.analyse.figures.torsion_figures import most_mobile
@@ -53,7 +54,7 @@ if TYPE_CHECKING:
 
 #: share of the frames from which a contact counts as kept, and below which as lost
 KEPT = 0.9
-ERRORS = "± 2 standard errors"
+ERRORS = "± 2 standard errors of sampling"
 LOST = 0.1
 #: share of the frames from which a contact that the start lacks counts as gained
 GAINED = 0.5
@@ -89,6 +90,8 @@ def _flexible_facts(analysis: Analysis) -> list[tuple[str, str, str]]:
     if UnitFlexibility in analysis and analysis.kind != TRANSITION:
         found, units = analysis[UnitFlexibility].found, analysis[Units]
         text = f"mean fluctuation of a{'n atom' if units.what == 'atom' else ' residue'} (RMSF)"
+        if asked_amplitude(analysis.record.parameters if analysis.record else {}) is not None:
+            text += "; its size is an input, ± the error of sampling"
         rows.append((f"{found.rmsf.mean():.2f} ± {2 * found.error.mean():.1g}", "Å", text))
     if domains := analysis.get(RigidDomains):
         count, share = domains.found.count, 100 * domains.found.explained
@@ -145,7 +148,7 @@ def _other_tables(analysis: Analysis) -> list[PageTable]:
     rows = page_rows(analysis)
     if not analysis[OtherShapes].looked_for:
         return [PageTable(OTHER, "", ("frames", "other shapes"), rows)]
-    columns = ("how many", "frame shown", "RMSD (Å)", "spread (Å)", "turned", "contacts gone")
+    columns = ("how many", "frame shown", "RMSD (Å)", "spread (Å)", "what rotated", "contacts gone")
     shapes = PageTable(OTHER, NO_POPULATION, ("frames are", *columns), rows)
     headers = ("", "room (Å³)", "at the start", "around it", "lined by")
     caption = "Pockets with more room than at the start"

@@ -55,13 +55,14 @@ def _write(analysis: Analysis, pocket: Pocket, end: str, path: Path) -> None:
     write_models(path, atoms, moved[None], lines, remarks)
 
 
-def pymol_lines(analysis: Analysis) -> list[str]:
-    """Scenes F3 and on, one a pocket: its smallest frame in grey, its largest in orange."""
+def pymol_lines(analysis: Analysis, first: int) -> list[str]:
+    """Scenes from F`first` on, one a pocket: its smallest frame in grey, its largest in orange."""
     lines = []
     part = analysis.get(PocketVolumes)
     for number, pocket in enumerate(part.pockets if part else (), 1):
         both = f"pocket{number}_*"
-        lines.append(f"# scene F{number + 2}: {pocket.name}, smallest (grey) and largest (orange)")
+        key = f"F{number + first - 1}"
+        lines.append(f"# scene {key}: {pocket.name}, smallest (grey) and largest (orange)")
         for end, colour in zip(ENDS, ("grey70", "orange"), strict=True):
             name = file_name(number, end)
             lines += [f"load {name}.pdb, {name}", f"color {colour}, {name}"]
@@ -72,21 +73,21 @@ def pymol_lines(analysis: Analysis) -> list[str]:
             "disable all",
             f"enable {both}",
             f"zoom {both} and b > 0.5, 4",
-            f"scene F{number + 2}, store",
+            f"scene {key}, store",
         ]
-    return [*lines, "disable all", "enable ensemble", "scene F1, recall"] if lines else []
+    return lines
 
 
-def chimerax_lines(analysis: Analysis) -> list[str]:
-    """Models of both frames of each pocket, hidden until they are asked for."""
+def chimerax_lines(analysis: Analysis, first: int) -> list[str]:
+    """Models from #`first` on: both frames of each pocket, hidden until they are asked for."""
     lines: list[str] = []
     part = analysis.get(PocketVolumes)
     for number, pocket in enumerate(part.pockets if part else (), 1):
         for k, (end, colour) in enumerate(zip(ENDS, ("gray", "orange"), strict=True)):
-            model = f"#{2 * number + k}"
+            model = f"#{2 * (number - 1) + k + first}"
             lines += [
                 f"# show {model} models: {pocket.name}, {end}",
-                f"open {file_name(number, end)}.pdb",
+                f"open {file_name(number, end)}.pdb id {model[1:]}",
                 f"hide {model} atoms",
                 f"show {model}@@bfactor>0.5 atoms",
                 f"show {model} & ligand atoms",

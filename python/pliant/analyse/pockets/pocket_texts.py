@@ -10,16 +10,20 @@ import numpy as np
 
 from pliant._drawn_by import DRAWN_BY
 from pliant.analyse.names import chains_of
-from pliant.analyse.pockets.pocket_volumes import Pocket, PocketVolumes
+from pliant.analyse.pockets.pocket_volumes import LEAST_VOLUME, Pocket, PocketVolumes
 from pliant.analyse.shapes.shape_texts import residues_text
 
 if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
 
-HEADERS = ("pocket", "at the start (Å³)", "smallest, frame", "largest, frame", "lined by")
+HEADERS = (
+    *("pocket", "at the start (Å³)", "smallest, frame", "largest, frame"),
+    *("frames with a gap instead", "lined by"),
+)
 CAPTION = (
     "Volumes come from geometry alone. A frame in which a pocket is open shows that it can open, "
-    "not how often it does."
+    f"not how often it does. A pocket that opens has less than {LEAST_VOLUME:g} Å³ at the start, "
+    "one that widens is open there. Where the lining has come apart there is a gap, and no volume."
 )
 
 
@@ -53,6 +57,7 @@ def pocket_table_rows(analysis: Analysis) -> list[Sequence[str]]:
             f"{pocket.at_start:.0f} ± {pocket.error:.0f}",
             at(pocket, pocket.smallest),
             at(pocket, pocket.largest),
+            f"{np.count_nonzero(pocket.is_gap)}",
             lined_by(analysis, pocket),
         )
         for pocket in analysis[PocketVolumes].pockets
@@ -63,22 +68,26 @@ def pocket_line(found: dict[str, Any]) -> str:
     """The first pocket in one line, from its JSON."""
     first, *others = found["volumes"]
     low, high = first["smallest"]["volume"], first["largest"]["volume"]
+    gaps = f", a gap in {first['gaps']}" if first["gaps"] else ""
     more = f"; {len(others)} more in the report" if others else ""
     return (
         f"{first['name']}: {first['at_start']:.0f} ± {first['error']:.0f} Å³ at the start, "
-        f"{low:.0f} to {high:.0f} in {found['frames']} frames{more}"
+        f"{low:.0f} to {high:.0f} in {found['frames'] - first['gaps']} frames{gaps}{more}"
     )
 
 
 def volume_columns(analysis: Analysis) -> dict[str, Any]:
-    """One row per frame looked at, Angstrom^3."""
+    """One row per frame looked at, Angstrom^3; empty where there is a gap."""
     part = analysis[PocketVolumes]
     columns: dict[str, Any] = {"frame": analysis.frames[part.places]}
     drawn_by = analysis.observable("sampler")
     if drawn_by is not None and drawn_by.any():
         columns["drawn_by"] = [DRAWN_BY[value] for value in drawn_by[part.places]]
     for pocket in part.pockets:
-        columns[f"{pocket.name} (angstrom3)"] = np.round(pocket.volumes).astype(int)
+        volumes = np.round(pocket.volumes).astype(int).tolist()
+        columns[f"{pocket.name} (angstrom3)"] = [
+            "" if gap else volume for volume, gap in zip(volumes, pocket.is_gap, strict=True)
+        ]
     return columns
 
 
@@ -94,7 +103,8 @@ def pockets_json(analysis: Analysis) -> dict[str, Any]:
             "name": pocket.name,
             "at_start": pocket.at_start,
             "error": pocket.error,
-            "mean": float(pocket.volumes.mean()),
+            "mean": pocket.mean,
+            "gaps": int(np.count_nonzero(pocket.is_gap)),
             "smallest": at(pocket, pocket.smallest),
             "largest": at(pocket, pocket.largest),
             "residues": residues_text(analysis, pocket.residues).split(),

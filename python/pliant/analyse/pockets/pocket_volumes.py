@@ -14,7 +14,7 @@ from pliant.analyse.names import residue_labels
 from pliant.analyse.parts import Part, ReferenceStructure, Units
 from pliant.analyse.shapes.opened_pockets import LEAST_GROWTH, why_no_pockets
 from pliant.analyse.shapes.other_shapes import OtherShapes
-from pliant.analysis.pockets import RADII, SPACING, find_pockets, room_among
+from pliant.analysis.pockets import RADII, SPACING, Room, find_pockets, room_among
 from pliant.analysis.rotatable import is_hydrogen
 
 if TYPE_CHECKING:
@@ -33,11 +33,15 @@ LEAST_LIGAND = 6
 LINING = 4.5
 #: a pocket of fewer atoms has no inside
 LEAST_LINING = 12
-#: a pocket of the start is measured from this volume on, Angstrom^3
+#: a pocket of the start is measured from this volume on, Angstrom^3; with less at the start, which
+#: is hardly room for a benzene (83), one that grows opens, with more it is open and widens
 LEAST_VOLUME = 100.0
-#: most sites of ligands, pockets of the start, and pockets that open
-MOST_SITES, MOST_AT_START, MOST_OPENED = 3, 2, 2
-#: frames, besides one of each other shape, in which pockets that open are looked for
+#: a frame has a gap instead of a pocket where less of the room is enclosed than this share of what
+#: is at the start: the lining has come apart
+LEAST_KEPT = 0.5
+#: most sites of ligands, pockets of the start, and pockets that grow
+MOST_SITES, MOST_AT_START, MOST_GROWN = 3, 2, 2
+#: frames, besides one of each other shape, in which pockets that grow are looked for
 SEARCHED = 4
 #: two pockets are one where the smaller shares more of its residues than this
 SAME = 0.5
@@ -54,16 +58,22 @@ class Pocket:
     at_start: float  #: Angstrom^3
     error: float  #: of the grid: r.m.s. difference from one of half the spacing, at the start
     volumes: np.ndarray  #: (f,) Angstrom^3
+    is_gap: np.ndarray  #: (f,) bool: its lining has come apart there, so that it has no volume
 
     @property
     def smallest(self) -> int:
-        """The place of the frame with the least room, among those looked at."""
-        return int(np.argmin(self.volumes))
+        """The place of the frame with the least room, among those looked at that have no gap."""
+        return int(np.argmin(np.where(self.is_gap, np.inf, self.volumes)))
 
     @property
     def largest(self) -> int:
         """The place of the frame with the most room."""
-        return int(np.argmax(self.volumes))
+        return int(np.argmax(np.where(self.is_gap, -np.inf, self.volumes)))
+
+    @property
+    def mean(self) -> float:
+        """Over the frames without a gap, Angstrom^3."""
+        return float(self.volumes[~self.is_gap].mean())
 
 
 @dataclass(frozen=True)
@@ -92,15 +102,15 @@ class _Surroundings:
         self.residues: np.ndarray = atoms.resindices
         self.radii = np.array([RADII.get(e.capitalize(), RADII["C"]) for e in atoms.elements])
 
-    def room(self, positions: np.ndarray, lining: np.ndarray) -> float:
+    def room(self, positions: np.ndarray, lining: np.ndarray) -> Room:
         """Room among atoms (places among those of this), of positions (N, 3) of all."""
         return room_among(positions[self.atoms], self.radii, lining)
 
     def error(self, positions: np.ndarray, lining: np.ndarray) -> float:
         """How far the grid is off, Angstrom^3."""
         own = positions[self.atoms], self.radii, lining
-        fine = room_among(*own, spacing=SPACING / 2)
-        coarse = np.array([room_among(*own, offset=k / 4) for k in range(4)])
+        fine = room_among(*own, spacing=SPACING / 2).enclosed
+        coarse = np.array([room_among(*own, offset=k / 4).enclosed for k in range(4)])
         return float(np.sqrt(np.mean((coarse - fine) ** 2)))
 
     def found(self, positions: np.ndarray) -> list[np.ndarray]:
@@ -147,23 +157,35 @@ def pocket_volumes(analysis: Analysis, runner: Runner) -> Iterator[PocketVolumes
     lined = _lined(analysis, around, kept)
     count = min(LOOKED_AT, len(analysis.frames))
     places = np.unique(np.linspace(0, len(analysis.frames) - 1, count).round().astype(int))
-    volumes = np.empty((len(places), len(lined)))
-    for row, place in zip(volumes, places, strict=True):
+    rooms = []
+    for place in places:
         positions = analysis.positions(place)
-        row[:] = [around.room(positions, lining) for lining in lined.values()]
+        rooms.append([around.room(positions, lining) for lining in lined.values()])
     pockets = tuple(
-        Pocket(
-            name,
-            around.atoms[lining],
-            np.unique(around.residues[lining]),
-            around.room(start, lining),
-            around.error(start, lining),
-            volumes[:, k],
-        )
+        _pocket(around, start, name, lining, [row[k] for row in rooms])
         for k, (name, lining) in enumerate(lined.items())
     )
-    if pockets:
-        yield PocketVolumes(pockets, places, len(analysis.frames))
+    if measured := tuple(pocket for pocket in pockets if not pocket.is_gap.all()):
+        yield PocketVolumes(measured, places, len(analysis.frames))
+
+
+def _pocket(
+    around: _Surroundings, start: np.ndarray, name: str, lining: np.ndarray, rooms: list[Room]
+) -> Pocket:
+    at_start = around.room(start, lining)
+    return Pocket(
+        name,
+        around.atoms[lining],
+        np.unique(around.residues[lining]),
+        at_start.enclosed,
+        around.error(start, lining),
+        np.array([room.enclosed for room in rooms]),
+        np.array([_is_gap(room, at_start) for room in rooms]),
+    )
+
+
+def _is_gap(room: Room, at_start: Room) -> bool:
+    return room.share < LEAST_KEPT * at_start.share
 
 
 def _lined(
@@ -181,8 +203,10 @@ def _lined(
     for lining in around.found(start):
         if len(lined) < sites + MOST_AT_START and _is_new(around, lining, lined):
             lined[f"pocket {len(lined) - sites + 1}"] = lining
-    for k, lining in enumerate(_opened(analysis, around, lined)):
-        lined[f"pocket that opens {k + 1}"] = lining
+    for lining in _grown(analysis, around, lined):
+        is_open = around.room(start, lining).enclosed >= LEAST_VOLUME
+        what = f"pocket that {'widens' if is_open else 'opens'}"
+        lined[f"{what} {1 + sum(name.startswith(what) for name in lined)}"] = lining
     return lined
 
 
@@ -194,7 +218,7 @@ def _is_new(around: _Surroundings, lining: np.ndarray, lined: dict[str, np.ndarr
     return all(len(np.intersect1d(own, o)) <= SAME * min(len(own), len(o)) for o in others)
 
 
-def _opened(
+def _grown(
     analysis: Analysis, around: _Surroundings, lined: dict[str, np.ndarray]
 ) -> list[np.ndarray]:
     """The atoms that line pockets of some frames that have more room there than at the start."""
@@ -205,11 +229,12 @@ def _opened(
         positions = analysis.positions(place)
         for lining in around.found(positions):
             if _is_new(around, lining, lined):
-                growth = around.room(positions, lining) - around.room(start, lining)
-                grown.append((growth, place, lining))
+                before, now = around.room(start, lining), around.room(positions, lining)
+                if not _is_gap(now, before):
+                    grown.append((now.enclosed - before.enclosed, place, lining))
     known = dict(lined)
     for growth, place, lining in sorted(grown, key=lambda one: (-one[0], one[1])):
-        if growth < LEAST_GROWTH or len(known) == len(lined) + MOST_OPENED:
+        if growth < LEAST_GROWTH or len(known) == len(lined) + MOST_GROWN:
             break
         if _is_new(around, lining, known):
             known[f"{place}"] = lining

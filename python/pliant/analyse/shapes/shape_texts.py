@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant.analyse.bar_verdict import Verdict
+from pliant._verdict import Verdict
 from pliant.analyse.names import chains_of, residue_labels
 from pliant.analyse.parts import ReferenceStructure
 from pliant.analyse.shapes.other_shapes import OtherShapes, Shape
@@ -74,7 +74,7 @@ def turns_text(analysis: Analysis, shape: Shape) -> str:
     texts = []
     for turn in turns_of(analysis, shape):
         stretches = ", ".join(f"{a} to {b}" for a, b in turn["residues"])
-        hinges = ", ".join(f"{a}|{b}" for a, b in turn["hinges"])
+        hinges = ", ".join(f"{a}/{b}" for a, b in turn["hinges"])
         about = f" about {hinges}" if hinges else ""
         texts.append(f"{stretches} by {turn['degrees']:.0f}°{about}")
     return "; ".join(texts) or "nothing as a whole: it bends"
@@ -125,7 +125,8 @@ def page_rows(analysis: Analysis) -> list[Sequence[str]]:
         rows.append(("like no other", f"{part.alone}", "–", "beyond", "–", "–", "–"))
     if part.known is not None:
         half = f"{part.known[0]:.1f} to {part.known[2]:.1f}"
-        rows.append(("half of known pairs of like softness", "–", "–", half, "–", "–", "–"))
+        pairs = "half of the known pairs of structures of proteins as soft"
+        rows.append((pairs, "–", "–", half, "–", "–", "–"))
     return rows
 
 

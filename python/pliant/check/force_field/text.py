@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from pliant.check.force_field.minimised import LONG, SHORT, ForceFieldReport, Minimised
-from pliant.check.force_field.verdicts import is_usable
 from pliant.console import Table
 
 _COLUMNS = ("structures", "worst force before", "100 steps", "500 steps", "CA moved")
@@ -51,10 +50,7 @@ def lines_of(report: ForceFieldReport) -> list[str]:
     """What the table does not say."""
     if report.why_not:
         return [f"no force field: {report.why_not}", *report.notes]
-    answer = "yes" if is_usable(report) else "no"
-    alone = f", of the protein alone, without {report.without}" if report.left_out else ""
     lines = [
-        f"usable as MD starts, once minimised: {answer}{alone}",
         f"force field: {report.residues} residues, {report.atoms} atoms, of which "
         f"{report.placed_hydrogens} hydrogens were placed by rule in each frame; cut-off 16 A, "
         f"CPU platform with deterministic forces, one thread a frame; {report.seconds:.0f} s",

@@ -8,7 +8,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pliant.check.findings import CANNOT, SKIPPED, Finding, verdict
+from pliant._verdict import Verdict
+from pliant.check.findings import CANNOT, FAILED, OF_MD_STARTS, SKIPPED, Finding, verdict
 from pliant.check.force_field.minimised import LONG, SHORT, ForceFieldReport, Minimised
 
 SHARE = 0.95  #: of the frames that must be within each of the three limits below
@@ -19,11 +20,11 @@ LEAST_RESIDUES = 30  #: of fewer a single contact lost is more than the limits o
 MOST_NAMED = 3
 
 TITLES = {
-    "starts_finite": "MD starts: frames stay finite as they are minimised",
-    "starts_energy_100": "MD starts: energy a residue above the start's, 100 steps",
-    "starts_energy_500": "MD starts: energy a residue above the start's, 500 steps",
-    "starts_moved": "MD starts: alpha carbons moved by 100 steps",
-    "starts_shape": "MD starts: no two atoms in one place, chirality kept",
+    "starts_finite": f"{OF_MD_STARTS}frames that stay finite when minimised",
+    "starts_energy_100": f"{OF_MD_STARTS}energy per residue above the start's, 100 steps",
+    "starts_energy_500": f"{OF_MD_STARTS}energy per residue above the start's, 500 steps",
+    "starts_moved": f"{OF_MD_STARTS}shift of alpha carbons in 100 steps",
+    "starts_shape": f"{OF_MD_STARTS}frames with atoms in one place, with changed chirality",
 }
 
 
@@ -43,13 +44,25 @@ def findings_of(report: ForceFieldReport) -> list[Finding]:
 
 def skipped(why: str) -> list[Finding]:
     """One row that says why the force field was not asked."""
-    title = "MD starts: frames minimised by OpenMM"
+    title = f"{OF_MD_STARTS}frames minimised by OpenMM"
     return [Finding("starts_finite", title, SKIPPED, notes=[f"no force field: {why}"])]
 
 
-def is_usable(report: ForceFieldReport) -> bool:
-    """Whether molecular dynamics may start from the frames once they are minimised."""
-    return all(finding.status in ("passed", SKIPPED) for finding in findings_of(report))
+def md_verdict(report: ForceFieldReport, frames: int) -> Verdict:
+    """Whether MD can be started from frames of a file of `frames`, once they are minimised."""
+    findings = findings_of(report)
+    failed = [finding.in_words for finding in findings if finding.status == FAILED]
+    alone = f" of the protein alone (without {report.without})" if report.left_out else ""
+    tested = f"{len(report.usable)} of {frames} frames tested"
+    details = f"What frames do near {report.without} is not tested." if alone else ""
+    if any(finding.status == CANNOT for finding in findings):
+        sentence = "OpenMM could not minimise a frame: whether MD can be started is not known."
+        return Verdict("mixed", sentence, details)
+    if failed:
+        why = f"{'; '.join(failed)}. {tested}."
+        return Verdict("mixed", f"Do not start MD{alone} from these frames: {why}", details)
+    sentence = f"MD{alone} can be started from these frames, once minimised. {tested}."
+    return Verdict("good", sentence, details, f"MD starts{alone} ({tested})")
 
 
 def reached(values: np.ndarray) -> float:
