@@ -47,7 +47,7 @@ constexpr Command commands[] = {
 
     {other, "representatives", "choose a few frames that represent all the others", nullptr},
     {other, "compare", "compare with NMR models, crystal structures or MD", nullptr},
-    {other, "check", "check a trajectory with OpenMM: may MD start from it?", nullptr},
+    {other, "check", "check a trajectory with OpenMM: can it be used to start MD?", nullptr},
     {other, "ensemble", "many walkers or frames in shards, on all cores or many machines", nullptr},
 
     {live, "play", "pull on a molecule by hand, on a page in the browser", nullptr},

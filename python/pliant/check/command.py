@@ -43,7 +43,7 @@ def make_parser() -> console.Parser:
         "of a run's frames are broken, and Pliant and OpenMM's CCMA repair them. For an ensemble\n"
         "of a protein, OpenMM minimises 3 to 5 frames and the start structure in the same way\n"
         "(amber14, implicit water OBC2): can they be used to start MD? --thorough looks at 20\n"
-        "frames, for longer, and at frames of a short MD: that takes ten times as long or more.\n"
+        "frames, for longer, and at frames of a short MD, which takes minutes.\n"
         "OpenMM runs in separate processes.",
         EPILOG,
         COMMON,

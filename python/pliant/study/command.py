@@ -31,7 +31,7 @@ The folder has:
   and tables (CSV) and figures (PNG)
 
 Where OpenMM is installed, it minimises 3 to 5 frames of a protein: can they be used to start MD?
---no-check leaves this out, which saves most of the time of a protein of 100 residues or more.
+--no-check leaves this out.
 
 Exit code: 0 done (whatever the answers are), 1 a file cannot be read or written, 2 bad option.
 
