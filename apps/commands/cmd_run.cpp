@@ -130,7 +130,8 @@ int command_run(const Arguments& arguments) {
   line.set_footer(footer);
   RunSettings settings;
   add_run_options(line, settings);
-  line.set_common({"--model", "--steps", "--pull", "--pair-distance", "--rock", "--output"});
+  line.set_common(
+      {"--model", "--steps", "--technique", "--perturb", "--pull", "--pair-distance", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (!settings.go_on.empty()) return continue_run(line, settings);
   const bool asks_for_topology = !settings.topology.empty();

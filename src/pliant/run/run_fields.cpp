@@ -78,7 +78,7 @@ const RunField table[] = {
      at<resolve, &ResolveOptions::max_sweeps>},
     {{.name = "perturb",
       .group = perturbation_group,
-      .summary = "what breaks the bars",
+      .summary = "what breaks the bars: force, force_all or displacement (see pliant techniques)",
       .choices = [] { return names_of(perturbations()); },
       .kind = "perturbation"},
      at<&RunOptions::perturb>},
