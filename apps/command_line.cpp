@@ -27,11 +27,14 @@ void add_parsed(CLI::App& app, const std::string& name, const std::string& type,
   app.add_option_function<std::string>(name, parse, help)->type_name(type)->default_str(fallback);
 }
 
-/// An option that stands for a file is refused without a name.
+/// An option that stands for a file (FILE), or for what a file lists (N), is refused without a
+/// name.
 void expect_name(CLI::Option* option, const std::string& type) {
-  if (type.find("FILE") == std::string::npos) return;
-  option->check([](const std::string& text) -> std::string {
-    return text.empty() ? "expected the name of a file, found \"\"" : "";
+  const bool is_file = type.find("FILE") != std::string::npos;
+  if (!is_file && type != "N") return;
+  option->check([is_file](const std::string& text) -> std::string {
+    const std::string of_file = is_file ? " of a file" : "";
+    return text.empty() ? "expected the name" + of_file + ", found \"\"" : "";
   });
 }
 

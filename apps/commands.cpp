@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -12,6 +13,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/signals.hpp"
 #include "pliant/base/system/terminal.hpp"
 
@@ -147,19 +149,28 @@ int fail_with(int code, const char* message) {
   return code;
 }
 
+/// A reader that has gone, as `head` does, is no fault that needs words.
+int end_output(int code) {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  if (errno == EPIPE) return exit_failed;
+  const std::string reason = error_words(errno == 0 ? EIO : errno);
+  return fail_with(exit_failed, ("standard output: " + reason).c_str());
+}
+
 }  // namespace
 
 int run_command(const Arguments& words) {
   fail_writes_alone();
   prepare_terminal();
   try {
-    const int code = dispatch(words);
-    return std::fflush(stdout) == 0 ? code : int{exit_failed};
+    return end_output(dispatch(words));
   } catch (const OptionError& error) {
     return fail_with(exit_usage, error.what());
   } catch (const std::bad_alloc&) {
     return fail_with(exit_failed, "out of memory");
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return end_output(exit_failed);
     return fail_with(exit_failed, error.what());
   }
 }

@@ -14,6 +14,7 @@
 #include "messages.hpp"
 #include "options/option_comparison.hpp"
 #include "options/recorded_settings.hpp"
+#include "output/output_files.hpp"
 #include "output/print_run.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
@@ -42,7 +43,7 @@ std::int64_t first_begun(const RunSettings& settings) {
   const fs::path path = path_of(name);
   const std::string of_walkers = path_text(
       path.parent_path() / path_of(path_text(path.stem()) + "-0" + path_text(path.extension())));
-  throw FileError(name + ": is not there" +
+  throw FileError(not_there(name) +
                   (is_there(of_walkers)
                        ? ", but " + of_walkers + " is: give --walkers or --shard as in the run"
                        : ""));

@@ -13,6 +13,7 @@
 #include "messages.hpp"
 #include "options/option_comparison.hpp"
 #include "options/option_fields.hpp"
+#include "output/output_files.hpp"
 #include "output/sample_report.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
@@ -36,7 +37,7 @@ H5mdCheckpoint read_sample(const CommandLine& line, const SampleSettings& settin
                            const Log& log) {
   std::error_code error;
   if (!std::filesystem::exists(path_of(settings.go_on), error))
-    throw FileError(printable_name(settings.go_on) + ": is not there");
+    throw FileError(not_there(settings.go_on));
   std::optional<std::int64_t> frames;
   if (line.was_given("--frames")) frames = settings.sample.frames;
   H5mdCheckpoint from = read_checkpoint(path_of(settings.go_on), frames, log);

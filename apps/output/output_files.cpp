@@ -9,8 +9,10 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/text/compression.hpp"
+#include "pliant/text/output_file.hpp"
 
 namespace pliant::app {
 namespace {
@@ -82,6 +84,15 @@ void refuse_same_files(const std::vector<std::string>& inputs,
       throw OptionError(printable_name(output) + ": two outputs are this one file" +
                         (other == output ? "" : ", also named " + printable_name(other)));
   }
+}
+
+std::string not_there(const std::string& name) {
+  const std::string partial = path_text(partial_name(path_of(name)));
+  const bool was_begun = is_there(path_of(partial));
+  return printable_name(name) + ": is not there" +
+         (was_begun ? ", but " + printable_name(partial) +
+                          " is: its writer was ended before the first frame; begin anew"
+                    : "");
 }
 
 std::string default_trajectory(const std::string& input) {

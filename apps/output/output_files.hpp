@@ -12,6 +12,10 @@ namespace pliant::app {
 void refuse_same_files(const std::vector<std::string>& inputs,
                        const std::vector<std::string>& outputs);
 
+/// "out.h5md: is not there", and what its writer has left beside it if it was ended before the
+/// first frame was whole.
+std::string not_there(const std::string& name);
+
 /// The input's name in the current folder: mol.h5md for data/mol.pdb.gz.
 std::string default_trajectory(const std::string& input);
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import errno
 import importlib.util
 import json
 import math
@@ -29,6 +30,8 @@ EXIT_FAILED = 1  #: bad input, a file that cannot be read or written, a check th
 EXIT_USAGE = 2  #: bad option or argument
 EXIT_INTERRUPTED = 130
 
+#: what a system says where there is no room: disk, quota, limit of sizes
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 MOST_PROCESSES = 1024  #: of ``--workers``
 MOST_DIGITS = 18  #: of a whole number: it fits into 64 bits
@@ -235,14 +238,24 @@ def run_command(command: str, work: Callable[[], int]) -> int:
         print(f"pliant {command}: error: {printable(str(error))}", file=sys.stderr)
         return EXIT_USAGE
     except (Error, OSError) as error:
-        if isinstance(error, BrokenPipeError):  # the reader of our output has gone
+        is_of_stdout = isinstance(error, OSError) and error.filename is None
+        if is_of_stdout and error.errno in (errno.EPIPE, *NO_ROOM):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            return EXIT_FAILED
-        print(f"pliant {command}: error: {printable(str(error))}", file=sys.stderr)
+        if not isinstance(error, BrokenPipeError):  # the reader of our output has gone
+            print(f"pliant {command}: error: {printable(_text_of(error))}", file=sys.stderr)
         return EXIT_FAILED
     except KeyboardInterrupt:
         print(f"pliant {command}: interrupted", file=sys.stderr)
         return EXIT_INTERRUPTED
+
+
+def _text_of(error: Error | OSError) -> str:
+    """With the name of the file: files that we write have theirs, standard output has none."""
+    if not isinstance(error, OSError) or not error.strerror:
+        return str(error)
+    if error.filename is None:
+        return f"standard output: {error.strerror}" if error.errno in NO_ROOM else str(error)
+    return f"{printable_name(error.filename2 or error.filename)}: {error.strerror}"
 
 
 def plain(value: Any) -> Any:

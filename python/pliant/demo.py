@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -13,6 +12,7 @@ import numpy as np
 import pliant
 from pliant import console
 from pliant._extras import MissingPackageError, need
+from pliant._output.new_file import write_bytes
 
 EPILOG = """\
 The molecule is a helix of 20 residues that the package brings along. What is written:
@@ -60,7 +60,7 @@ def _demo(arguments: argparse.Namespace) -> int:
     molecule, output = folder / MOLECULE.name, folder / "ensemble.h5md"
     _refuse_to_replace([molecule, output], arguments.overwrite)
     folder.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(MOLECULE, molecule)
+    write_bytes(molecule, MOLECULE.read_bytes(), overwrite=arguments.overwrite)
     _show(f'>>> structure = pliant.read("{molecule}")')
     structure = pliant.read(molecule)
     print(structure)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from pliant._extras import needed_by
+from pliant._output.png import save_png
 
 with needed_by("pliant.plotting"):
     import matplotlib as mpl
@@ -60,4 +61,4 @@ def save(plot: Figure, path: str | os.PathLike[str]) -> None:
     folder = os.path.dirname(os.fspath(path))
     if folder:
         os.makedirs(folder, exist_ok=True)
-    plot.savefig(path, dpi=DPI, metadata={"Software": None})
+    save_png(plot, path, DPI)

@@ -19,6 +19,7 @@ from pliant import _hdf5, console
 from pliant._checked import checked
 from pliant._core import FileError, InputError, OptionError, check_hdf5_structure
 from pliant._hdf5.expansion import check_stored
+from pliant._output.new_file import NewFile, new_file
 from pliant._salvage import Salvage, StoredValues, dataset, rows, salvage
 from pliant._salvage.recovered_file import (
     CONTACT_STATES,
@@ -93,21 +94,20 @@ def recover(
     broken, good = os.fspath(broken), os.fspath(good)
     _refuse(broken, good, overwrite)
     folder = os.path.dirname(os.path.abspath(good))
-    if not os.path.isdir(folder):
-        raise FileError(f"{good}: the directory {folder} does not exist")
-    with tempfile.TemporaryDirectory(prefix=f".{os.path.basename(good)}.", dir=folder) as own:
+    with (
+        new_file(good, overwrite=overwrite) as file,
+        tempfile.TemporaryDirectory(prefix=f".{os.path.basename(good)}.", dir=folder) as own,
+    ):
         copy = os.path.join(own, "broken")
         shutil.copyfile(broken, copy)
         recovery = Recovery(good)
         if mended := mend_superblock(copy):
             recovery.lost["superblock"] = mended
-        whole = os.path.join(own, "good")
-        _rebuild(copy, whole, recovery)
+        _rebuild(copy, file, recovery)
         if recovery.frames == 0:
             why = "; ".join(f"{what}: {reason}" for what, reason in recovery.lost.items())
             raise InputError(f"{broken}: no frame can be read{': ' + why if why else ''}")
-        check_hdf5_structure(whole)
-        os.replace(whole, good)
+        check_hdf5_structure(file.path)
     return recovery
 
 
@@ -121,7 +121,7 @@ def _refuse(broken: str, good: str, overwrite: bool) -> None:
             raise FileError(f"{good}: exists; --overwrite replaces it")
 
 
-def _rebuild(broken: str, good: str, recovery: Recovery) -> None:
+def _rebuild(broken: str, good: NewFile, recovery: Recovery) -> None:
     frames = _read_frames(broken, recovery)
     if frames is None:
         return

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import errno
 import io
 import os
 from collections.abc import Iterator
@@ -12,13 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from pliant._core import FileError, OutputFile
-from pliant.console import printable_name
+from pliant.console import NO_ROOM, printable_name
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
-
-#: what a system says where there is no room: disk, quota, limit of sizes
-NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 class NewFile(io.FileIO):
@@ -31,6 +27,10 @@ class NewFile(io.FileIO):
         super().__init__(path, "r+")
         self.path = path
         self.failure: OSError | None = None  #: the first
+
+    def fileno(self) -> int:
+        """Has none to give: errors of C that writes by number would not be heard."""
+        raise io.UnsupportedOperation("fileno")
 
     def write(self, data: ReadableBuffer) -> int:
         """Writes all of it."""

@@ -103,8 +103,8 @@ def representatives(
 
     Raises
     ------
-    InputError
-        The file cannot be used, or the output exists.
+    InputError, FileError
+        The file cannot be used; the output exists, or cannot be written.
     OptionError
         There are fewer frames than asked for, no other shapes, or a selection is wrong.
     """
@@ -122,7 +122,8 @@ def representatives(
     analysis = analysis.having(reference_of(analysis)) if shapes else analysis
     found, chosen = _one_per_shape(analysis) if count is None else _medoids(analysis, count)
     if output is not None:
-        write_chosen(analysis, chosen, Path(output), REMARK_OF_SHAPES if shapes else REMARK)
+        remark = REMARK_OF_SHAPES if shapes else REMARK
+        write_chosen(analysis, chosen, Path(output), remark, overwrite=overwrite)
         found = replace(found, output=os.fspath(output))
     return found
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._output.new_file import new_text, write_text
 from pliant.analyse.figures.style import DOMAIN_COLOURS
 from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.multi_model import write_chosen, write_models
@@ -67,7 +68,7 @@ def save_exports(analysis: Analysis, folder: Path, others: Sequence[Path] = ()) 
         written += write_pocket_frames(analysis, folder)
     if Components in analysis and hasattr(analysis.fitted, "names"):
         path = folder / "modes.nmd"
-        with open(path, "w", encoding="utf-8") as file:
+        with new_text(path, overwrite=True) as file:
             file.writelines(f"{line}\n" for line in nmd(analysis))
         written.append(path)
     return written
@@ -104,7 +105,7 @@ def _write_scripts(analysis: Analysis, folder: Path, models: Sequence[str]) -> l
         "show.cxc": chimerax_script(analysis, models),
     }
     for name, text in scripts.items():
-        (folder / name).write_text(text, encoding="utf-8")
+        write_text(folder / name, text, overwrite=True)
     return [folder / name for name in scripts]
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant._core import InputError
+from pliant._output.new_file import new_text
 from pliant.analyse.names import chains_of, numbers_of
 from pliant.analysis.frame_store import FrameStore
 from pliant.analysis.superposition import superpose_all
@@ -23,7 +24,9 @@ MOST_ATOMS = 99_999  #: whose numbers fit into their column
 ATOMS_AT_ONCE = 4096  #: whose lines are made
 
 
-def write_chosen(analysis: Analysis, chosen: np.ndarray, output: Path, remark: str) -> None:
+def write_chosen(
+    analysis: Analysis, chosen: np.ndarray, output: Path, remark: str, *, overwrite: bool = True
+) -> None:
     """Writes frames (places among those analysed), superposed on their average, as models."""
     atoms = analysis.atoms
     both = np.union1d(atoms.ix, analysis.fitted.ix)
@@ -32,7 +35,7 @@ def write_chosen(analysis: Analysis, chosen: np.ndarray, output: Path, remark: s
     remarks = [remark]
     remarks += [f"model {k + 1}: frame {analysis.frames[one]}" for k, one in enumerate(chosen)]
     kept = moved[:, np.searchsorted(both, atoms.ix)]
-    write_models(output, atoms, kept, np.zeros(len(atoms)), remarks)
+    write_models(output, atoms, kept, np.zeros(len(atoms)), remarks, overwrite=overwrite)
 
 
 def write_models(
@@ -42,12 +45,14 @@ def write_models(
     b_factors: np.ndarray,
     remarks: Sequence[str] = (),
     chosen: np.ndarray | None = None,
+    *,
+    overwrite: bool = True,
 ) -> None:
     """Writes positions (F, n, 3), Angstrom, of n atoms as F models; one frame has no MODEL line.
 
     chosen: numbers of the frames; all by default. b_factors: (n,) Angstrom^2; what a PDB file
     cannot hold is written as 999.99. Raises InputError where coordinates or the number of atoms do
-    not fit into the columns of the format.
+    not fit into the columns of the format, FileError where it cannot be written.
     """
     if len(atoms) > MOST_ATOMS:
         raise InputError(f"{path}: a PDB file holds up to {MOST_ATOMS} atoms, not {len(atoms)}")
@@ -55,7 +60,7 @@ def write_models(
     if not all(np.all(np.abs(block) < 9999) for block in store.blocks(chosen)):
         raise InputError(f"{path}: a PDB file holds coordinates up to 9999 Angstrom")
     heads, tails = _fixed_parts(atoms, b_factors)
-    with open(path, "w", encoding="utf-8") as file:
+    with new_text(path, overwrite=overwrite) as file:
         for text in remarks:
             file.write(f"REMARK  99 {text[:68]}\n")
         frames = (frame for block in store.blocks(chosen) for frame in block)

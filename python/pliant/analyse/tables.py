@@ -16,6 +16,7 @@ import numpy as np
 
 from pliant._csv_cells import harmless
 from pliant._drawn_by import DRAWN_BY
+from pliant._output.new_file import new_text
 from pliant.analyse.biology_tables import (
     contact_columns,
     correlation_columns,
@@ -95,7 +96,7 @@ def write_csv(path: Path, columns: Columns) -> None:
     """Writes columns {header: values of equal length} as CSV with a header line."""
     count = max(map(len, columns.values()))
     rows = max(1, CELLS_AT_ONCE // len(columns))
-    with open(path, "w", newline="", encoding="utf-8") as file:
+    with new_text(path, overwrite=True) as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(map(harmless, columns))
         for first in range(0, count, rows):

@@ -12,7 +12,7 @@ from pliant.convert.write import convert
 
 EPILOG = """\
 The name of OUT says the format: .h5md, .pdb or .cif (one model per frame), .sdf (one record per
-frame), .dcd, .xtc, .trr, .xyz or .zarr. DCD, XTC, TRR and XYZ are written by MDAnalysis (pip
+frame), .dcd, .xtc, .trr, .xyz or .zarr. DCD, XTC and TRR are written by MDAnalysis (pip
 install "pliant[analysis]"), SDF by RDKit ("pliant[rdkit]"), Zarr by xarray ("pliant[zarr]"), the
 others by Pliant itself.
 H5MD keeps every digit; PDB keeps 0.001 Angstrom, mmCIF and XYZ 0.00001, XTC 0.01, DCD and TRR

@@ -3,19 +3,20 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import pathlib
-import tempfile
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pliant import _core
 from pliant._core import InputError, OptionError
 from pliant._extras import need
+from pliant._output.new_file import new_file, new_text
 from pliant._superposition import Superposition
 from pliant._trajectory.results import SampledEnsemble
 from pliant._trajectory.sources import Molecule
@@ -23,6 +24,10 @@ from pliant._trajectory.trajectory import HasFrames, Trajectory
 from pliant.convert.cif_models import write_models
 from pliant.convert.moment import Moment
 from pliant.convert.zarr_store import write_zarr
+
+if TYPE_CHECKING:
+    from MDAnalysis import Universe
+    from MDAnalysis.coordinates.base import WriterBase
 
 
 @dataclass
@@ -162,11 +167,11 @@ def _write_sdf(
 
     molecule = to_rdkit(structure)
     conformer, count = molecule.GetConformer(), 0
-    with _beside(output, overwrite) as path, Chem.SDWriter(path) as writer:
+    with new_text(output, overwrite=overwrite) as file:
         for moment in frames:
             conformer.SetPositions(np.ascontiguousarray(moment.positions))
             molecule.SetIntProp("frame", moment.step)
-            writer.write(molecule)
+            file.write(Chem.SDWriter.GetText(molecule, molid=count))
             count += 1
     return count
 
@@ -183,11 +188,21 @@ def _write_pdb(
 def _write_cif(
     output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
 ) -> int:
-    with (
-        _beside(output, overwrite) as path,
-        open(path, "w", encoding="utf-8", newline="\n") as file,
-    ):
+    with new_text(output, overwrite=overwrite) as file:
         return write_models(file, structure, (moment.positions for moment in frames))
+
+
+def _write_xyz(
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
+) -> int:
+    symbols, count = structure.symbols.tolist(), 0
+    with new_text(output, overwrite=overwrite) as file:
+        for moment in frames:
+            file.write(f"{len(symbols)}\nstep {moment.step}, time {moment.time:g} ps\n")
+            rows = zip(symbols, moment.positions.tolist(), strict=True)
+            file.writelines(f"{one:<2} {x:11.5f} {y:11.5f} {z:11.5f}\n" for one, (x, y, z) in rows)
+            count += 1
+    return count
 
 
 def _write_with_mdanalysis(
@@ -198,19 +213,51 @@ def _write_with_mdanalysis(
     from pliant.adapters import to_mdanalysis
 
     universe = to_mdanalysis(structure)
-    options = {"precision": 5} if output.lower().endswith(".xyz") else {}
+    ending = pathlib.Path(output).suffix[1:].upper()
     count = 0
-    with _beside(output, overwrite) as path, warnings.catch_warnings():
+    with new_file(output, overwrite=overwrite) as file, warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of boxes and names that are not there
-        with MDAnalysis.Writer(path, n_atoms=len(structure), **options) as writer:
+        path = os.fspath(file.path)
+        with MDAnalysis.Writer(path, n_atoms=len(structure), format=ending) as writer:
             for moment in frames:
                 step = universe.trajectory.ts
                 step.positions = moment.positions
                 step.time, step.frame = moment.time, count
                 step.data["step"] = moment.step
-                writer.write(universe.atoms)
+                _written(writer, universe)
                 count += 1
+        if not _ends_with(path, ending, count, universe.trajectory.ts.positions):
+            raise _no_room()
     return count
+
+
+def _written(writer: WriterBase, universe: Universe) -> None:
+    try:
+        writer.write(universe.atoms)
+    except OSError as error:  # of C, without the system's reason
+        raise _no_room() from error
+
+
+def _no_room() -> OSError:
+    return OSError(errno.ENOSPC, "not all frames are there: is the disk full?")
+
+
+def _ends_with(path: str, ending: str, count: int, positions: np.ndarray) -> bool:
+    """Whether all frames are there: the writers do not hear of every full disk."""
+    from MDAnalysis.lib.formats.libdcd import DCDFile
+    from MDAnalysis.lib.formats.libmdaxdr import TRRFile, XTCFile
+
+    opened = {"DCD": DCDFile, "TRR": TRRFile, "XTC": XTCFile}[ending]
+    try:
+        with opened(path) as file:
+            if len(file) != count:
+                return False
+            file.seek(count - 1)
+            last = file.read()
+    except OSError:
+        return False
+    found = last.xyz if ending == "DCD" else 10 * last.x  # Angstrom, nm
+    return bool(np.allclose(found, positions, atol=0.01))
 
 
 #: Endings of names -> what they are, what writes them, and the package that it needs.
@@ -225,30 +272,6 @@ FORMATS = {
     ".dcd": ("DCD", _write_with_mdanalysis, "MDAnalysis"),
     ".xtc": ("XTC", _write_with_mdanalysis, "MDAnalysis"),
     ".trr": ("TRR", _write_with_mdanalysis, "MDAnalysis"),
-    ".xyz": ("XYZ", _write_with_mdanalysis, "MDAnalysis"),
+    ".xyz": ("XYZ", _write_xyz, ""),
     ".zarr": ("Zarr", write_zarr, "zarr"),
 }
-
-
-@contextmanager
-def _beside(output: str, overwrite: bool) -> Iterator[str]:
-    """A name in the folder of `output`, whose file takes its name at the end, or goes."""
-    folder, name = os.path.split(os.path.abspath(output))
-    if not os.path.isdir(folder):
-        raise _core.FileError(f"{output}: the directory {folder} does not exist")
-    with tempfile.TemporaryDirectory(prefix=f".{name}.", dir=folder) as own:
-        path = os.path.join(own, name)
-        yield path
-        _take_name(path, output, overwrite)
-
-
-def _take_name(path: str, output: str, overwrite: bool) -> None:
-    if overwrite:
-        os.replace(path, output)
-        return
-    try:
-        os.link(path, output)
-    except FileExistsError:
-        raise _core.FileError(f"{output}: exists; --overwrite replaces it") from None
-    except OSError:  # a file system without hard links
-        os.rename(path, output)

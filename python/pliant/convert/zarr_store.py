@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import itertools
 import os
-import shutil
 import tempfile
 import warnings
 from collections.abc import Iterator
@@ -16,6 +15,7 @@ import numpy as np
 
 from pliant import _core
 from pliant._extras import need
+from pliant._output.new_file import cannot_write
 
 if TYPE_CHECKING:
     import xarray
@@ -36,21 +36,28 @@ def write_zarr(
     folder, name = os.path.split(os.path.abspath(output))
     if not os.path.isdir(folder):
         raise _core.FileError(f"{output}: the directory {folder} does not exist")
-    with tempfile.TemporaryDirectory(prefix=f".{name}.", dir=folder) as own:
-        count = _write(os.path.join(own, name), structure, frames, rows)
-        if overwrite:
-            _remove(Path(output))
-        elif os.path.exists(output):
-            raise _core.FileError(f"{output}: exists; --overwrite replaces it")
-        os.rename(os.path.join(own, name), output)
+    try:
+        with tempfile.TemporaryDirectory(prefix=f".{name}.", dir=folder) as own:
+            count = _write(os.path.join(own, name), structure, frames, rows)
+            _take_name(Path(own, name), Path(output), overwrite)
+    except OSError as error:
+        raise cannot_write(output, error) from error
     return count
 
 
-def _remove(path: Path) -> None:
-    if path.is_dir():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)
+def _take_name(made: Path, output: Path, overwrite: bool) -> None:
+    """An older store goes once the new one is there."""
+    old = made.with_name("older")
+    if os.path.lexists(output):
+        if not overwrite:
+            raise _core.FileError(f"{output}: exists; --overwrite replaces it")
+        output.rename(old)
+    try:
+        made.rename(output)
+    except OSError:
+        if os.path.lexists(old):
+            old.rename(output)
+        raise
 
 
 def _write(path: str, structure: _core.Structure, frames: Iterator[Moment], rows: int) -> int:

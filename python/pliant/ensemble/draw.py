@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._output.png import save_png
 from pliant.analyse.figures.flexibility_figures import NAMED_BARS, chain_parts
 from pliant.analyse.figures.style import (
     BLUE,
@@ -33,7 +34,7 @@ SIZE = (9, 3.2)  #: inches; the legend stands beside the lines
 def draw_flexibility(found: EnsembleFlexibility, path: Path, dpi: int) -> Path:
     """Writes the figure as a PNG."""
     with styled():
-        flexibility_figure(found).savefig(path, dpi=dpi)
+        save_png(flexibility_figure(found), path, dpi)
     return path
 
 

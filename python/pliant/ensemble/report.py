@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from pliant._csv_cells import harmless
+from pliant._output.new_file import new_text
 from pliant.analysis.flexibility import STILL
 from pliant.console import counted
 from pliant.ensemble.draw import draw_flexibility
@@ -132,7 +133,7 @@ def _write_representatives(found: EnsembleFlexibility, folder: Path) -> Path:
 
 
 def _write(path: Path, head: Sequence[str], rows: Iterable[Sequence[Any]]) -> Path:
-    with open(path, "w", newline="", encoding="utf-8") as file:
+    with new_text(path, overwrite=True) as file:
         table = csv.writer(file)
         table.writerow(head)
         for row in rows:

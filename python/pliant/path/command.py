@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from pliant import console
 from pliant._core import OptionError, PathOptions, path_rows, read
+from pliant._output.new_file import new_text
 from pliant._output_names import check_trajectory_name
 from pliant._said import notes_shown_by
 
@@ -49,10 +50,10 @@ examples:
 COMMON = ("--output", "--select", "--atoms", "--both", "--backtrack", "--csv")
 
 
-def write_table(path: MolecularPath, file: str | os.PathLike[str]) -> None:
+def write_table(path: MolecularPath, file: str | os.PathLike[str], overwrite: bool) -> None:
     """One line a frame, as CSV."""
     rows = path.as_json()["frames"]
-    with Path(file).open("w", newline="", encoding="utf-8") as stream:
+    with new_text(file, overwrite=overwrite) as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)
@@ -106,7 +107,7 @@ def _path(arguments: argparse.Namespace) -> int:
             lambda done: show(done, walk.WHOLE),
         )
     if arguments.csv:
-        write_table(path, arguments.csv)
+        write_table(path, arguments.csv, arguments.overwrite)
     if arguments.json:
         console.print_json({"output": arguments.output, **path.as_json()})
     else:

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/run/run.hpp"
 
+#include <cmath>
+#include <string>
+
+#include "pliant/base/error.hpp"
+#include "pliant/base/value_text.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pliant/run/showing.hpp"
@@ -11,6 +16,9 @@ namespace pliant {
 void check(const RunOptions& options) {
   check_fields(options);
   check(options.technique);
+  if (!std::isfinite(double(options.steps) * options.perturb_options.timestep))
+    throw OptionError("timestep = " + value_text(options.perturb_options.timestep) +
+                      ": the time of " + std::to_string(options.steps) + " steps is not finite");
 }
 
 MotionOptions motion_of(const RunOptions& options, std::int64_t start, const Log& log) {

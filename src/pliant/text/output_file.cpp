@@ -111,7 +111,7 @@ OutputFile::~OutputFile() { close(); }
 
 /// What a killed writer has left behind is taken over: nobody holds its lock.
 void OutputFile::create() {
-  temporary_ = temporary_name(target_, "");
+  temporary_ = partial_name(target_);
   for (;;) {
     open_temporary(Opening::to_make);
     const Locking locking = lock_for_writing(descriptor());
@@ -191,6 +191,8 @@ void OutputFile::close() {
   if (!published_) remove_name(temporary_);
   file_.close();
 }
+
+fs::path partial_name(const fs::path& target) { return temporary_name(target, ""); }
 
 std::string writer_of(const fs::path& path) {
   const Descriptor file = open_file(path, Opening::to_read);

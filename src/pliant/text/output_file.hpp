@@ -59,6 +59,9 @@ class OutputFile {
   Descriptor file_;
 };
 
+/// Where an OutputFile is until it is published: ".NAME.partial" beside its target.
+std::filesystem::path partial_name(const std::filesystem::path& target);
+
 /// Who is writing the file now: "process 123", "another recorder" if the process is unknown, "" for
 /// nobody.
 std::string writer_of(const std::filesystem::path& path);

@@ -83,3 +83,12 @@ def test_what_is_not_stated_is_refused(pliant, pair, tmp_path, command):
         f'pliant: error: no assembly "1" in {PEPTIDE}: it states none\n',
     )
     assert [path.name for path in tmp_path.iterdir()] == ["pair.pdb"]
+
+
+@pytest.mark.parametrize(
+    "command", ["info", "run", "sample", "contacts", "order", "forcegen", "rigidity"]
+)
+def test_an_assembly_has_a_name(pliant, pair, command):
+    ended = pliant(command, pair, "--assembly", "")
+    assert ended.code == 2
+    assert '--assembly: expected the name, found ""' in ended.err

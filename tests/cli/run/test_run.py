@@ -104,6 +104,13 @@ def test_an_output_that_cannot_be_written_is_reported(pliant, ethanol, output):
     assert output in ended.err
 
 
+def test_times_that_are_not_finite_are_refused_before_the_start(pliant, ethanol, tmp_path):
+    ended = pliant("run", ethanol, "-o", "o.h5md", "--timestep", "1e308")
+    assert (ended.code, ended.out) == (2, "")
+    assert "the time of 1000 steps is not finite" in ended.err
+    assert [path.name for path in tmp_path.iterdir()] == [ethanol.name]
+
+
 def test_forces_are_replayed(pliant, ethanol, tmp_path):
     (tmp_path / "pushes.txt").write_text(
         "pliant-forces 1\ntimestep 0.005\ntolerance 1e-6\nmax_sweeps 10000\n"

@@ -116,6 +116,17 @@ def test_runs_and_samples_are_not_mixed_up(pliant, ethanol):
     assert (ended.code, ended.err) == (1, "pliant: error: none.h5md: is not there\n")
 
 
+@pytest.mark.parametrize("command", ["run", "sample"])
+def test_what_was_ended_before_its_first_frame_is_named(pliant, tmp_path, command):
+    (tmp_path / ".o.h5md.partial").write_bytes(b"as a killed writer leaves it")
+    ended = pliant(command, "--continue", "o.h5md")
+    assert (ended.code, ended.err) == (
+        1,
+        "pliant: error: o.h5md: is not there, but .o.h5md.partial is: its writer was ended before "
+        "the first frame; begin anew\n",
+    )
+
+
 def test_a_file_without_nodes_is_reported(pliant, tmp_path):
     pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 2, *COMMON)
     with h5py.File(tmp_path / "o.h5md", "r+") as file:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pliant._output.new_file import new_file
 from pliant.analyse.figures import flexibility_figures, mobility, series, torsion_figures
 from pliant.analyse.figures.style import styled
 from pliant.analyse.kind import ENSEMBLE, PATH, TRANSITION
@@ -186,4 +187,5 @@ def _save(figure: Figure, path: Path, dpi: int) -> None:
     figure.set_dpi(dpi)
     figure.set_facecolor("white")
     canvas: Any = FigureCanvasAgg(figure)
-    canvas.print_png(path, metadata={"Software": None})
+    with new_file(path, overwrite=True) as file:
+        canvas.print_png(file, metadata={"Software": None})

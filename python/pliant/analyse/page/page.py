@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant._core import techniques
+from pliant._output.new_file import write_text
 from pliant._verdict import Verdict, verdict_of_all
 from pliant.analyse.figures.style import WIDE
 from pliant.analyse.kind import ENSEMBLE
@@ -53,7 +54,7 @@ def write_page(
 ) -> None:
     """Writes the page. figures: [(FigureKind, PNG path)]; files: outputs to link to."""
     text = page(analysis, figures, files, dpi, more)
-    Path(path).write_text(text, encoding="utf-8")
+    write_text(path, text, overwrite=True)
 
 
 def page(

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant._core import FileError
+from pliant._output.new_file import write_text
 from pliant.analyse.page.html import (
     disclosure,
     fact,
@@ -56,13 +57,7 @@ def save_rigidity_page(
     target = Path(path)
     if target.exists() and not overwrite:
         raise FileError(f"{target}: exists; --overwrite replaces it")
-    partial = target.with_name(f".{target.name}.partial")
-    try:
-        partial.write_text(rigidity_page(facts), encoding="utf-8")
-        partial.replace(target)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise FileError(f"{target}: cannot be written: {error.strerror}") from None
+    write_text(target, rigidity_page(facts), overwrite=overwrite)
 
 
 def rigidity_page(facts: RigidityFacts) -> str:

@@ -11,11 +11,12 @@ from dataclasses import asdict, fields
 from typing import Any
 
 from pliant._csv_cells import harmless
+from pliant._output.new_file import new_text
 
 
 def write_csv(rows: Sequence[Any], path: str | os.PathLike[str]) -> None:
     """All rows under the names of their fields; what is not known is empty."""
-    with open(path, "w", encoding="utf-8", newline="") as file:
+    with new_text(path, overwrite=True) as file:
         writer = csv.writer(file, lineterminator="\n")
         if rows:
             writer.writerow([field.name for field in fields(rows[0])])

@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
+from pliant._output.png import save_png
 from pliant._weightings import WEIGHTINGS
 from pliant.analyse.figures import style
 from pliant.lab.experiment.answer import Figure
@@ -100,7 +101,7 @@ def draw_bars(chart: BarChart, all_evidence: dict[str, Evidence], folder: Path) 
         handles, labels = axes[0][0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
         path = folder / f"figure-{chart.number}.png"
-        figure.savefig(path, dpi=DPI, metadata={"Software": None})
+        save_png(figure, path, DPI)
     return Figure(path, _bar_caption(chart, reverse))
 
 
@@ -170,7 +171,7 @@ def draw_histogram(chart: Histogram, evidence: Evidence, folder: Path) -> Figure
                 _columns(axis, statistics, SHADES[weighting])
         axes[0].set_ylabel("share of pushes (%)")
         path = folder / f"figure-{chart.number}.png"
-        figure.savefig(path, dpi=DPI, metadata={"Software": None})
+        save_png(figure, path, DPI)
     return Figure(
         path,
         f"Figure {chart.number} of the thesis: sweeps of {chart.technique} on "

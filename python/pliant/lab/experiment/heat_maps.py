@@ -11,6 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.image import AxesImage
 
+from pliant._output.png import save_png
 from pliant.analyse.figures import style
 from pliant.lab.experiment.answer import Figure
 from pliant.lab.experiment.claims import CLAIMS, Claim
@@ -86,7 +87,7 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
         bar = figure.colorbar(image, ax=axes, shrink=0.8, pad=0.01, ticks=(0, 0.5, 1))
         bar.set_label("share of its statements that hold")
         path = folder / f"claim-{claim.id}.png"
-        figure.savefig(path, dpi=DPI, metadata={"Software": None})
+        save_png(figure, path, DPI)
     return Figure(
         path, f"{claim.id}: {claim.text}. A dot: every statement holds; empty: no push broke a bar."
     )

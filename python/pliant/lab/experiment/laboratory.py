@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from pliant import FileError, OptionError
+from pliant._output.new_file import new_file, write_text
 from pliant.lab.experiment import table as tables
 from pliant.lab.experiment.pool import each_done
 from pliant.lab.experiment.settings import Settings
@@ -61,7 +62,7 @@ def _claim_folder(settings: Settings, out: Path) -> None:
             out.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise FileError(f"{out}: cannot be made: {error.strerror}") from error
-        tables.replace(path, lambda beside: _write_text(beside, settings.text()))
+        write_text(path, settings.text(), overwrite=True)
         return
     try:
         theirs = Settings.from_text(path.read_text(encoding="utf-8"))
@@ -74,11 +75,7 @@ def _claim_folder(settings: Settings, out: Path) -> None:
 
 def _is_free(out: Path) -> bool:
     """An empty folder, but for what a killed writer may have left."""
-    return out.is_dir() and all(path.suffix == ".part" for path in out.iterdir())
-
-
-def _write_text(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8", newline="\n")
+    return out.is_dir() and all(path.suffix == ".partial" for path in out.iterdir())
 
 
 def _part(out: Path, kind: str, number: int) -> Path:
@@ -104,12 +101,8 @@ def _measure_missing(
 
 def _measure_one(settings: Settings, out: Path, source: Source, task: tuple[str, int]) -> None:
     rows = measure_subject(source(settings, *task), settings)
-
-    def save(path: Path) -> None:
-        with open(path, "wb") as file:
-            np.save(file, rows, allow_pickle=False)
-
-    tables.replace(_part(out, *task), save)
+    with new_file(_part(out, *task), overwrite=True) as file:
+        np.save(file, rows, allow_pickle=False)
 
 
 def _parts(out: Path, todo: list[tuple[str, int]]) -> Iterator[tuple[str, int, np.ndarray]]:

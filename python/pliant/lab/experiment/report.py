@@ -7,7 +7,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from pliant import FileError
+from pliant._output.new_file import write_text
 from pliant.lab.experiment import document, drawings, heat_maps, sections
 from pliant.lab.experiment import table as tables
 from pliant.lab.experiment.choices import Choices
@@ -60,7 +60,7 @@ def make_report(folder: Path, choices: Choices | None = None) -> Report:
     ]
     path = folder / REPORT
     text = document.page("The thesis, settled", sections.subtitle(table), content)
-    tables.replace(path, lambda beside: _write(beside, text))
+    write_text(path, text, overwrite=True)
     failed = [name for name, answer in asked if answer.verdict.startswith("not answered")]
     return Report(path, settled, failed, time.monotonic() - begin)
 
@@ -72,10 +72,3 @@ def _points(folder: Path, table: tables.Table, choices: Choices) -> list[Point]:
         return found
     with choices.progress("sweep, settings") as show:
         return run_sweep(table.settings, folder, choices.workers, choices.quick, show)
-
-
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8", newline="\n")
-    except OSError as error:
-        raise FileError(f"{path}: cannot be written: {error.strerror}") from error

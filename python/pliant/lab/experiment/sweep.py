@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pliant import InputError, OptionError
+from pliant._output.new_file import new_text
 from pliant.lab.experiment import table as tables
 from pliant.lab.experiment.claims import CLAIMS, evidence_by_yardstick
 from pliant.lab.experiment.laboratory import Show
@@ -102,7 +103,7 @@ def run_sweep(
         points += found
         show(done, len(cells))
     points.sort(key=_place)
-    tables.replace(out / SWEEP_CSV, functools.partial(_write, points))
+    _write(points, out / SWEEP_CSV)
     return points
 
 
@@ -190,7 +191,7 @@ def _graphs_of_each_family(table: tables.Table) -> int:
 
 def _write(points: list[Point], path: Path) -> None:
     names = [field.name for field in dataclasses.fields(Point)]
-    with open(path, "w", encoding="ascii", newline="") as file:
+    with new_text(path, overwrite=True) as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(names)
         writer.writerows([getattr(point, name) for name in names] for point in points)

@@ -9,8 +9,7 @@ column ``seconds`` is a link to ``seconds.h5``.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,6 +17,7 @@ import h5py
 import numpy as np
 
 from pliant import FileError, InputError
+from pliant._output.new_file import new_file, new_text
 from pliant.lab.experiment.settings import NO_WEIGHTING, Settings
 
 COLUMNS = tuple(
@@ -72,35 +72,21 @@ def join(settings: Settings, parts: Iterator[tuple[str, int, np.ndarray]]) -> Ta
 
 def write(table: Table, folder: Path) -> None:
     """Writes the four files, each at once: a reader never sees half of one."""
-    replace(folder / SECONDS_CSV, lambda path: _write_seconds_csv(table, path))
-    replace(folder / SECONDS_H5, lambda path: _write_seconds_h5(table, path))
-    replace(folder / TABLE_CSV, lambda path: _write_csv(table, path))
-    replace(folder / TABLE_H5, lambda path: _write_h5(table, path))
-
-
-def replace(path: Path, write_to: Callable[[Path], None]) -> None:
-    """Lets `write_to` write a file beside `path`, which then takes its place.
-
-    Raises FileError naming the file and the system's reason.
-    """
-    beside = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        write_to(beside)
-        os.replace(beside, path)
-    except OSError as error:
-        beside.unlink(missing_ok=True)
-        raise FileError(f"{path}: cannot be written: {error.strerror or error}") from error
+    _write_seconds_csv(table, folder / SECONDS_CSV)
+    _write_seconds_h5(table, folder / SECONDS_H5)
+    _write_csv(table, folder / TABLE_CSV)
+    _write_h5(table, folder / TABLE_H5)
 
 
 def _write_csv(table: Table, path: Path) -> None:
     columns = [_words(table.columns[name]) for name in COLUMNS]
-    with open(path, "w", encoding="ascii", newline="\n") as file:
+    with new_text(path, overwrite=True) as file:
         file.write(",".join(COLUMNS) + "\n")
         file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
 
 
 def _write_seconds_csv(table: Table, path: Path) -> None:
-    with open(path, "w", encoding="ascii", newline="\n") as file:
+    with new_text(path, overwrite=True) as file:
         file.write("seconds\n")
         file.writelines(f"{value:.9f}\n" for value in table.columns["seconds"].tolist())
 
@@ -121,7 +107,7 @@ def _number(value: int | float) -> str:
 
 
 def _write_h5(table: Table, path: Path) -> None:
-    with h5py.File(path, "w", libver="v110") as file:
+    with new_file(path, overwrite=True) as new, h5py.File(new, "w", libver="v110") as file:
         file.attrs["settings"] = table.settings.text()
         for name in COLUMNS:
             _write_column(file, name, table.columns[name])
@@ -129,7 +115,7 @@ def _write_h5(table: Table, path: Path) -> None:
 
 
 def _write_seconds_h5(table: Table, path: Path) -> None:
-    with h5py.File(path, "w", libver="v110") as file:
+    with new_file(path, overwrite=True) as new, h5py.File(new, "w", libver="v110") as file:
         _write_column(file, "seconds", table.columns["seconds"])
 
 

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""Files are written in one way, which leaves none that is cut off: `pliant._output.new_file` in
+Python, `OutputFile` in C++."""
+
+import re
+
+import pytest
+from sources import CPP, files, numbered_lines, place, refuse
+
+PYTHON_WAY = "python/pliant/_output/"
+CPP_WAYS = ("src/pliant/text/output_file.cpp", "src/pliant/base/system/")
+
+WRITES_IN_PYTHON = re.compile(
+    r"\bopen\([^)]*[\"'](?:[wxa]b?t?\+?|r\+b?|ab\+)[\"']|\.write_(?:text|bytes)\(|"
+    r"\b(?:savefig|print_png|imsave)\((?!file\b)|\bto_csv\(|\bSDWriter\(|\bMDAnalysis\.Writer\(|"
+    r"h5py\.File\((?!new\b|good\b)[^)]*[\"'][wax]|\bnp\.save\w*\((?!file\b)|\.tofile\(|\bto_zarr\(|"
+    r"\bos\.(?:replace|link|rename)\(|\bshutil\.(?:copy\w*|move)\(|\.rename\("
+)
+WRITES_IN_CPP = re.compile(
+    r"\bofstream\b|\bstd::fstream\b|\bfopen\(|\bfreopen\(|\bfs::(?:rename|copy\w*)\(|"
+    r"\b(?:replace_name|take_name)\("
+)
+
+#: what else writes, and why: (file, what stands on the line)
+EXCEPTIONS = {
+    ("conformers/journal.py", "os.replace("): "a journal, and records that it commits one by one",
+    ("conformers/journal.py", "os.link("): "the same",
+    ("ensemble/commits.py", ".rename("): "a log of commits",
+    ("ensemble/folder_lock.py", "open("): "a lock, which holds nothing",
+    ("ensemble/manifest.py", "open("): "a log: a line that is cut off does not count",
+    ("ensemble/plan.py", "open("): "waits for the disk, as shards do",
+    ("ensemble/scratch.py", "copyfile("): "a shard that was checked, from another disk",
+    ("ensemble/scratch.py", "os.link("): "the same",
+    ("ensemble/scratch.py", "os.rename("): "the same",
+    ("ensemble/scratch.py", ".rename("): "the same",
+    ("ensemble/scratch.py", "open("): "a lock, which holds nothing",
+    ("convert/zarr_store.py", ".rename("): "a folder of files, whole before it has its name",
+    ("convert/zarr_store.py", "to_zarr("): "the same",
+    ("convert/write.py", "MDAnalysis.Writer("): "to the path of a NewFile; looks at what was made",
+    ("recover.py", "copyfile("): "a copy that goes again",
+    ("_salvage/superblock.py", "open("): "that copy",
+    ("lab/experiment/folders.py", ".rename("): "a folder of files, whole before it has its name",
+    ("lab/bench/scaling_child.py", "open("): "an order to the kernel",
+    ("lab/peers/gromacs.py", ".write_text("): "a temporary folder",
+    ("lab/peers/gromacs_files.py", "open("): "a temporary folder",
+    ("play/ensemble/thinned.py", "h5py.File("): "a temporary folder",
+    ("_openmm/worker.py", "np.save("): "a temporary folder",
+    ("_openmm/worker.py", "open("): "a temporary folder",
+    ("_openmm/child.py", "np.save("): "a temporary folder",
+    ("_openmm/child.py", ".write_text("): "a temporary folder",
+    ("_openmm/child.py", "open("): "a temporary folder",
+}
+
+
+def is_excepted(name: str, line: str) -> bool:
+    return any(name == f"python/pliant/{file}" and what in line for file, what in EXCEPTIONS)
+
+
+def test_python_writes_files_in_one_way():
+    refuse(
+        [
+            f"{place(path, number)}: {found[0]}: pliant._output.new_file writes files"
+            for path in files(".py", folders=("python/pliant",))
+            if not place(path).startswith((PYTHON_WAY, "python/pliant/tests/"))
+            for number, line in numbered_lines(path)
+            if (found := WRITES_IN_PYTHON.search(line)) and not is_excepted(place(path), line)
+        ]
+    )
+
+
+def test_cpp_writes_files_in_one_way():
+    refuse(
+        [
+            f"{place(path, number)}: {found[0]}: OutputFile writes files"
+            for path in files(*CPP, folders=("src", "apps", "python"))
+            if not place(path).startswith(CPP_WAYS)
+            for number, line in numbered_lines(path)
+            if (found := WRITES_IN_CPP.search(line))
+        ]
+    )
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        'with open(path, "w", encoding="utf-8") as file:',
+        'with Path(file).open("x") as stream:',
+        "path.write_text(text)",
+        "(folder / name).write_bytes(data)",
+        "figure.savefig(path, dpi=dpi)",
+        "canvas.print_png(path)",
+        "writer = Chem.SDWriter(path)",
+        'with h5py.File(path, "w") as file:',
+        "np.save(path, rows)",
+        "os.replace(partial, target)",
+    ],
+)
+def test_other_ways_are_seen(line):
+    assert WRITES_IN_PYTHON.search(line)
+
+
+@pytest.mark.parametrize(
+    "line", ['open(path, encoding="utf-8")', 'open(path, "rb")', "write_text(path, text)"]
+)
+def test_reading_is_free(line):
+    assert not WRITES_IN_PYTHON.search(line)
