@@ -212,7 +212,7 @@ nb::tuple structure_state(const Structure& structure) {
       int(structure.b_factor_source), text_bytes(structure.b_factor_record));
 }
 
-Structure structure_from(const nb::tuple& state) {
+Structure structure_of_state(const nb::tuple& state) {
   check_state(state, 19);
   Structure structure;
   structure.title = text_from(state[1]);
@@ -287,7 +287,7 @@ void bind_pickling(nb::class_<Framework>& framework) {
 }
 
 void bind_pickling(nb::class_<Structure>& structure) {
-  bind_state(structure, &structure_state, &structure_from);
+  bind_state(structure, &structure_state, &structure_of_state);
 }
 
 void bind_pickling(nb::class_<State>& state) { bind_state(state, &state_state, &state_from); }

@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "messages.hpp"
+#include "model/model_arguments.hpp"
 #include "model/molecular_contacts.hpp"
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
@@ -17,31 +18,22 @@
 namespace pliant::python {
 namespace {
 
-PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> keep,
-                               std::vector<std::string> protonate, double floppy_below,
-                               bool fill_side_chains, bool all_hydrogens) {
-  PrepareOptions options;
-  options.all_hydrogens = all_hydrogens;
-  options.fill_side_chains = fill_side_chains;
-  options.keep_waters = keep_waters;
-  options.keep = std::move(keep);
-  options.protonate = std::move(protonate);
-  options.floppy_below = floppy_below;
-  options.log = python_log();
-  return options;
+/// Raises TypeError for what is left of the arguments of a function of pliant.
+void refuse_left(const char* function, const nb::object& molecule, const nb::dict& left) {
+  refuse_unknown(nb::module_::import_("pliant._core").attr(function), nb::make_tuple(molecule),
+                 left);
 }
 
-Preparation prepare_structure(const nb::object& molecule, bool keep_waters,
-                              std::vector<std::string> keep, bool add_hydrogens,
-                              std::vector<std::string> protonate, double floppy_below,
-                              bool fill_side_chains, bool all_hydrogens) {
-  PrepareOptions options = prepare_options(keep_waters, std::move(keep), std::move(protonate),
-                                           floppy_below, fill_side_chains, all_hydrogens);
-  options.add_hydrogens = add_hydrogens;
-  const nb::object given = structure_from(molecule);
-  const auto& structure = nb::cast<const Structure&>(given);
+Preparation prepare_structure(const nb::object& molecule, bool add_hydrogens,
+                              const nb::kwargs& more) {
+  nb::dict given(more);
+  AskedModel asked = take_arguments(preparation_arguments(), given);
+  refuse_left("prepare", molecule, given);
+  asked.options.prepare.add_hydrogens = add_hydrogens;
+  const nb::object part = part_from(molecule, asked);
+  const auto& structure = nb::cast<const Structure&>(part);
   const nb::gil_scoped_release no_gil;
-  return prepare(structure, options);
+  return prepare(structure, asked.options.prepare);
 }
 
 /// Without hydrogens, hydrogen bonds are not found.
@@ -65,25 +57,18 @@ nb::object contacts_of(const nb::object& molecule, double hbond_cutoff,
   return contacts_to_python(find_contacts(structure, options));
 }
 
-MolecularModel model_of(const nb::object& molecule, const std::string& model, bool keep_waters,
-                        std::vector<std::string> keep, std::vector<std::string> protonate,
-                        double floppy_below, double hbond_cutoff, const nb::object& contacts,
-                        const std::string& pin, bool fill_side_chains, bool all_hydrogens,
-                        bool free_torsions, std::vector<std::string> more_contacts) {
-  ModelOptions options;
-  options.more_contacts = std::move(more_contacts);
-  options.kind = choose(models(), "model", model).kind;
-  options.prepare = prepare_options(keep_waters, std::move(keep), std::move(protonate),
-                                    floppy_below, fill_side_chains, all_hydrogens);
-  options.hydrogen_bonds.cutoff = hbond_cutoff;
-  options.pin = pin;
-  options.torsions = !free_torsions;
-  options.log = python_log();
-  if (!contacts.is_none()) options.contacts = contacts_from(contacts);
-  const nb::object given = structure_from(molecule);
-  const auto& structure = nb::cast<const Structure&>(given);
+MolecularModel model_of(const nb::object& molecule, const std::string& model,
+                        const std::string& pin, const nb::kwargs& more) {
+  nb::dict given(more);
+  AskedModel asked = take_arguments(model_arguments(), given);
+  refuse_left("build_model", molecule, given);
+  asked.options.kind = choose(models(), "model", model).kind;
+  refuse_unused(asked, asked.options.kind);
+  asked.options.pin = pin;
+  const nb::object part = part_from(molecule, asked);
+  const auto& structure = nb::cast<const Structure&>(part);
   const nb::gil_scoped_release no_gil;
-  return build_model(structure, options);
+  return build_model(structure, asked.options);
 }
 
 std::vector<std::int64_t> origins_of(const Preparation& self) {
@@ -100,24 +85,12 @@ Parameters
 ----------
 structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
     A molecule, as ``sample`` takes it.
-keep_waters : bool
-keep : sequence of str
-    Molecules of crystallisation that stay, as ``["GOL", "SO4"]`` or ``["all"]``. Where there is a
-    protein or nucleic acid, they are left out, unless they are bonded to anything or hold a metal.
 add_hydrogens : bool
     Place polar hydrogens (on N, O, S) by rule where a residue has none.
-protonate : sequence of str
-    Forms of residues, as ``"HIS57:HID"`` or ``"A:ASP25:ASH"``; those of others follow from
-    hydrogens, names or a table for pH 7.
-floppy_below : float
-    Residues whose B factor (a confidence, pLDDT) is below are floppy; 0: none.
-fill_side_chains : bool
-    Build missing atoms of side chains by ideal geometry and the usual torsions that run least into
-    other atoms. A guess, which ``missing`` names.
-all_hydrogens : bool
-    Place hydrogens on carbon by rule as well (ideal angles, methyls staggered), where a carbon of an
-    amino acid, cap or nucleotide has none.
+)";
 
+constexpr const char* prepare_refusals_doc =
+    R"(
 Raises
 ------
 InputError
@@ -188,27 +161,17 @@ structure : Structure, path, Universe, AtomGroup or rdkit.Chem.Mol
     A molecule, as ``sample`` takes it.
 model : str
     A name in ``models()``: ``bonds``, ``angles``, ``molecule`` or ``protein``.
-keep_waters, keep, protonate, floppy_below
-    As in ``prepare``.
-hbond_cutoff : float
-    As in ``contacts``.
-contacts : array, optional
-    Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
 pin : str
     Selection of atoms that never move.
-fill_side_chains, all_hydrogens : bool
-    As in ``prepare``.
-free_torsions : bool
-    When it is sampled, do not pull side chains towards staggered torsions (the rotamers of Lovell
-    et al., Proteins 40 (2000) 389), nor phi and psi back to the usual regions of the Ramachandran
-    plot.
-more_contacts : sequence of str
-    As in ``contacts``.
+)";
 
+constexpr const char* build_refusals_doc =
+    R"(
 Raises
 ------
 InputError, OptionError
-    As ``prepare`` and ``Structure.framework`` do; an unknown kind of contacts, or kinds and `contacts`.
+    As ``prepare`` and ``Structure.framework`` do;
+    an unknown kind of contacts, kinds and `contacts`, or an argument of which the model has no use.
 )";
 
 void bind_preparation(nb::module_& module) {
@@ -224,17 +187,13 @@ void bind_preparation(nb::module_& module) {
       .def_ro("steps", &Preparation::steps, "What was done, line by line.")
       .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.")
       .def_ro("left_out", &Preparation::left_out, "What was taken out, as ``188 waters``.");
+  const std::string signature = "def prepare(structure: " + std::string(any_molecule) +
+                                ", *, add_hydrogens: bool = True, " +
+                                argument_texts(preparation_arguments()) + ") -> Preparation";
+  const std::string doc =
+      prepare_doc + argument_docs(preparation_arguments()) + prepare_refusals_doc;
   module.def("prepare", &prepare_structure, "structure"_a.none(), nb::kw_only(),
-             "keep_waters"_a = false, "keep"_a = std::vector<std::string>{},
-             "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
-             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
-             nb::sig(("def prepare(structure: " + std::string(any_molecule) +
-                      ", *, keep_waters: bool = False, "
-                      "keep: collections.abc.Sequence[str] = (), add_hydrogens: bool = True, "
-                      "protonate: collections.abc.Sequence[str] = (), floppy_below: float = 0.0, "
-                      "fill_side_chains: bool = False, all_hydrogens: bool = False) -> Preparation")
-                         .c_str()),
-             prepare_doc);
+             "add_hydrogens"_a = true, "options"_a, nb::sig(signature.c_str()), doc.c_str());
 }
 
 void bind_contact_kinds(nb::module_& module) {
@@ -311,24 +270,13 @@ void bind_model(nb::module_& module) {
                ") -> numpy.typing.NDArray[numpy.void]")
                   .c_str()),
       read_contacts_doc);
+  const std::string signature = "def build_model(structure: " + any +
+                                ", model: " + literal_type(names_of(models())) +
+                                " = \"protein\", *, pin: str = \"\", " +
+                                argument_texts(model_arguments()) + ") -> MolecularModel";
+  const std::string doc = build_doc + argument_docs(model_arguments()) + build_refusals_doc;
   module.def("build_model", &model_of, "structure"_a.none(), "model"_a = "protein", nb::kw_only(),
-             "keep_waters"_a = false, "keep"_a = std::vector<std::string>{},
-             "protonate"_a = std::vector<std::string>{}, "floppy_below"_a = 0.0,
-             "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff, "contacts"_a = nb::none(),
-             "pin"_a = "", "fill_side_chains"_a = false, "all_hydrogens"_a = false,
-             "free_torsions"_a = false, "more_contacts"_a = std::vector<std::string>{},
-             nb::sig(("def build_model(structure: " + any +
-                      ", model: " + literal_type(names_of(models())) +
-                      " = \"protein\", *, "
-                      "keep_waters: bool = False, keep: collections.abc.Sequence[str] = (), "
-                      "protonate: collections.abc.Sequence[str] = (), "
-                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
-                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
-                      "fill_side_chains: bool = False, all_hydrogens: bool = False, "
-                      "free_torsions: bool = False, "
-                      "more_contacts: collections.abc.Sequence[str] = ()) -> MolecularModel")
-                         .c_str()),
-             build_doc);
+             "pin"_a = "", "options"_a, nb::sig(signature.c_str()), doc.c_str());
 }
 
 }  // namespace pliant::python

@@ -6,10 +6,12 @@
 #include "arrays.hpp"
 #include "framework/framework_rigidity.hpp"
 #include "messages.hpp"
+#include "model/model_arguments.hpp"
 #include "model/molecular_contacts.hpp"
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
-#include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
+#include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
 #include "pliant/tasks/rigidity_task.hpp"
 
@@ -30,39 +32,31 @@ auto of_edges(const MoleculeRigidity& self, const Value& value) {
   return values;
 }
 
-ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& options) {
+ContactModel contact_model_from(const nb::handle& argument, AskedModel asked) {
   if (nb::isinstance<MolecularModel>(argument)) {
     const auto& model = nb::cast<const MolecularModel&>(argument);
-    if (!options.more_contacts.empty())
-      throw OptionError("more_contacts: goes with a Structure; a MolecularModel has its contacts");
-    return {model.structure, options.contacts ? *options.contacts : model.contacts, model.notes,
-            model.missing, model.left_out};
+    refuse_for_built_model(asked, "contacts");
+    std::optional<std::vector<MolecularContact>> contacts = std::move(asked.options.contacts);
+    if (!asked.options.contacts_file.empty())
+      contacts = read_contacts(path_of(asked.options.contacts_file), model.structure);
+    return {model.structure, contacts ? *contacts : model.contacts, model.notes, model.missing,
+            model.left_out};
   }
-  const nb::object given = structure_from(argument);
-  const auto& structure = nb::cast<const Structure&>(given);
+  const nb::object part = part_from(argument, asked);
+  const auto& structure = nb::cast<const Structure&>(part);
   const nb::gil_scoped_release no_gil;
-  return contact_model(structure, options);
+  return contact_model(structure, asked.options);
 }
 
-MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
-                             const nb::object& contacts, bool keep_waters,
-                             std::vector<std::string> keep, std::vector<std::string> protonate,
-                             std::vector<std::string> more_contacts, const nb::kwargs& more) {
+MoleculeRigidity rigidity_of(const nb::handle& structure, const nb::kwargs& more) {
   if (is_graph(structure)) throw nb::next_overload();
   nb::dict given(more);
   RigidityAsked counting;
   take_values(rigidity_fields(), given, counting);
+  AskedModel asked = take_arguments(contact_arguments(), given);
   refuse_unknown(nb::module_::import_("pliant._core").attr("rigidity"), nb::make_tuple(structure),
                  given);
-  ModelOptions options;
-  options.prepare.keep_waters = keep_waters;
-  options.prepare.keep = std::move(keep);
-  options.prepare.protonate = std::move(protonate);
-  options.hydrogen_bonds.cutoff = hbond_cutoff;
-  options.more_contacts = std::move(more_contacts);
-  options.log = python_log();
-  if (!contacts.is_none()) options.contacts = contacts_from(contacts);
-  ContactModel model = contact_model_from(structure, options);
+  ContactModel model = contact_model_from(structure, std::move(asked));
   const nb::gil_scoped_release no_gil;
   return find_rigidity(std::move(model), counting);
 }
@@ -136,14 +130,6 @@ structure : Structure, path, Universe, AtomGroup, rdkit.Chem.Mol or MolecularMod
     A molecule, as ``sample`` takes it, which is prepared first; or a model, which is taken with its
     contacts as it is. Of a Graph, a Framework or the path of a graph XML file (.xml) the freedoms of
     joints and bars are found: a FrameworkRigidity, which takes no options.
-hbond_cutoff : float
-    As in ``contacts``.
-contacts : array, optional
-    Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
-keep_waters, keep, protonate
-    As in ``prepare``.
-more_contacts : sequence of str
-    As in ``contacts``.
 )";
 
 constexpr const char* refusals_doc =
@@ -356,18 +342,12 @@ void bind_rigidity(nb::module_& module) {
            " degrees of freedom of " + std::to_string(self.rigidity.network.atoms) + " atoms>";
   });
   const std::string signature =
-      "def rigidity(structure: MolecularModel | " + std::string(any_molecule) +
-      ", *, hbond_cutoff: float = -1.0, "
-      "contacts: numpy.typing.ArrayLike | None = None, keep_waters: bool = False, "
-      "keep: collections.abc.Sequence[str] = (), protonate: collections.abc.Sequence[str] = (), "
-      "more_contacts: collections.abc.Sequence[str] = (), " +
+      "def rigidity(structure: MolecularModel | " + std::string(any_molecule) + ", *, " +
+      argument_texts(contact_arguments()) + ", " +
       argument_texts(rigidity_fields(), RigidityAsked()) + ") -> Rigidity";
-  const std::string doc =
-      rigidity_doc + argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
-  module.def("rigidity", &rigidity_of, "structure"_a.none(), nb::kw_only(), "hbond_cutoff"_a = -1.0,
-             "contacts"_a = nb::none(), "keep_waters"_a = false,
-             "keep"_a = std::vector<std::string>{}, "protonate"_a = std::vector<std::string>{},
-             "more_contacts"_a = std::vector<std::string>{}, "options"_a,
+  const std::string doc = rigidity_doc + argument_docs(contact_arguments()) +
+                          argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
+  module.def("rigidity", &rigidity_of, "structure"_a.none(), "options"_a,
              nb::sig(signature.c_str()), doc.c_str());
   bind_framework_rigidity(module);
 }

@@ -7,6 +7,7 @@
 
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "model/model_arguments.hpp"
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
 #include "pliant/base/choices.hpp"
@@ -28,22 +29,20 @@
 namespace pliant::python {
 namespace {
 
-MolecularModel model_from(const nb::handle& argument, const std::string& model,
-                          std::vector<std::string> keep) {
+MolecularModel model_from(const nb::handle& argument, const std::string& model, AskedModel asked) {
   if (nb::isinstance<MolecularModel>(argument)) {
-    if (!keep.empty()) throw OptionError("keep: goes with a structure, not with a model");
+    refuse_for_built_model(asked);
     if (!model.empty()) throw OptionError("model: goes with a structure, not with a model");
     refuse_drawing(nb::cast<const MolecularModel&>(argument).structure);
     return nb::cast<MolecularModel>(argument);
   }
-  const nb::object given = structure_from(argument);
-  const auto& structure = nb::cast<const Structure&>(given);
+  const nb::object part = part_from(argument, asked);
+  const auto& structure = nb::cast<const Structure&>(part);
   refuse_drawing(structure);
-  ModelOptions options;
+  ModelOptions& options = asked.options;
   options.kind = usual_model(structure);
   if (!model.empty()) options.kind = choose(models(), "model", model).kind;
-  options.prepare.keep = std::move(keep);
-  options.log = python_log();
+  refuse_unused(asked, options.kind);
   if (options.kind != ModelKind::molecule) return build_model(structure, options);
   return build_model(largest_molecule(structure, options.log), options);
 }
@@ -97,7 +96,6 @@ void check_before(SampleOptions options) {
 
 nb::object sample_from(const nb::handle& structure, const nb::object& frames,
                        const std::optional<AskedAmplitude>& amplitude, const std::string& model,
-                       std::vector<std::string> keep,
                        const std::optional<std::filesystem::path>& path, bool overwrite,
                        bool single, bool compress, double precision, const std::string& save,
                        const nb::kwargs& more) {
@@ -106,11 +104,12 @@ nb::object sample_from(const nb::handle& structure, const nb::object& frames,
   SampleOptions options = unset_sample_options();
   options.threads = all_cores();
   take_values(sample_fields(), given, options);
+  AskedModel asked_model = take_arguments(model_arguments(), given);
   refuse_unknown(nb::module_::import_("pliant._core").attr("sample"), nb::make_tuple(structure),
                  given);
   check_before(options);
   SampleOutput output = sample_output(path, overwrite, single, compress, precision, save);
-  SampledEnsemble out{model_from(structure, model, std::move(keep)), {}, {}, {}, {}, {}, {}};
+  SampledEnsemble out{model_from(structure, model, std::move(asked_model)), {}, {}, {}, {}, {}, {}};
   const SampleAsked asked = asked_of(out, amplitude, std::move(options));
   const SampleTask task(subject_of(out.model), asked);
   InterruptWatch watch("frames", task.options().frames);
@@ -168,12 +167,13 @@ constexpr const char* doc_of_amplitude =
     if none is given. Samplers ``torsions`` take none.
 )";
 
-constexpr const char* doc_of_the_rest =
+constexpr const char* doc_of_model =
     R"(model : str
     A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
-keep : sequence of str
-    Molecules of crystallisation that stay; as for ``build_model``.
-output : str or path, optional
+)";
+
+constexpr const char* doc_of_output =
+    R"(output : str or path, optional
     H5MD file to write as well; ``continue_sample`` goes on with it.
 overwrite, single, compress : bool
     As for ``H5mdRecorder``.
@@ -245,9 +245,9 @@ std::string signature() {
     else if (field.users.python)
       text += ", " + argument_text(field, field.place(usual));
   }
-  return text + ", model: " + literal_type(models_or_none) +
-         " = \"\", keep: collections.abc.Sequence[str] = (), "
-         "output: str | os.PathLike[str] | None = None, "
+  return text + ", model: " + literal_type(models_or_none) + " = \"\", " +
+         argument_texts(model_arguments()) +
+         ", output: str | os.PathLike[str] | None = None, "
          "overwrite: bool = False, single: bool = False, compress: bool = False, "
          "precision: float = 0.0, save: str = '') -> SampledEnsemble";
 }
@@ -259,7 +259,7 @@ std::string sample_doc() {
     if (field.users.python) text += argument_doc(field, field.place(usual));
     if (field.name == "frames") text += doc_of_amplitude;
   }
-  return text + doc_of_the_rest;
+  return text + doc_of_model + argument_docs(model_arguments()) + doc_of_output;
 }
 
 void bind_sample_function(nb::module_& module) {
@@ -272,10 +272,9 @@ void bind_sample_function(nb::module_& module) {
       },
       "frames"_a, "How many of so many frames of sampler ``reach`` are those of ``modes``.");
   module.def("sample", &sample_from, "structure"_a.none(), "frames"_a = nb::none(), nb::kw_only(),
-             "amplitude"_a = nb::none(), "model"_a = "", "keep"_a = std::vector<std::string>{},
-             "output"_a = nb::none(), "overwrite"_a = false, "single"_a = false,
-             "compress"_a = false, "precision"_a = 0.0, "save"_a = "", "options"_a,
-             nb::sig(signature().c_str()), sample_doc().c_str());
+             "amplitude"_a = nb::none(), "model"_a = "", "output"_a = nb::none(),
+             "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
+             "save"_a = "", "options"_a, nb::sig(signature().c_str()), sample_doc().c_str());
 }
 
 }  // namespace

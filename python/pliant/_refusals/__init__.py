@@ -41,6 +41,22 @@ _WORDS = {
     "object": "an object",
 }
 
+_RUN = (
+    "model = pliant.build_model(molecule, {}=...), then pliant.%s(model.framework, model.positions)"
+)
+
+#: how functions are called that take what `build_model` makes, and which of its arguments then
+#: hold: `path` prepares again
+_WITH_MODEL: dict[str, tuple[str, tuple[str, ...]]] = {
+    "contacts": ("pliant.build_model(molecule, {}=...).contacts has it", ()),
+    "path": (
+        "pliant.path(pliant.build_model(start, {}=...), end) has it",
+        ("select", "assembly", "protonate", "fill_side_chains", "all_hydrogens"),
+    ),
+    "run": (_RUN % "run", ()),
+    "run_ensemble": (_RUN % "run_ensemble", ()),
+}
+
 #: of these, the text on the function says more: what they hold, their shapes
 _SAY_LITTLE = {"ArrayLike", "NDArray", "Sequence", "object", "tuple"}
 
@@ -119,12 +135,25 @@ def refuse_unknown(function: str, names: Iterable[str], named: Iterable[str]) ->
         if name not in known:
             import difflib
 
-            like = difflib.get_close_matches(name, known, 1)
+            model = _with_model(function, name)
+            like = [] if model else difflib.get_close_matches(name, known, 1)
             hint = f" (did you mean {like[0]!r}?)" if like else ""
-            if not like and len(known) <= MOST_LISTED:
+            if model:
+                hint = f": {model}"
+            elif not like and len(known) <= MOST_LISTED:
                 hint = f"; known: {', '.join(known)}"
             hint = hint or f"; help(pliant.{function}) lists them"
             raise TypeError(f"{function}: has no argument {name!r}{hint}")
+
+
+def _with_model(function: str, name: str) -> str:
+    """How a function that builds no model is given one with an argument of `build_model`."""
+    from pliant import _core
+
+    if function not in _WITH_MODEL or name not in signature_of(_core.build_model).parameters:
+        return ""
+    call, taken = _WITH_MODEL[function]
+    return call.format(name) if not taken or name in taken else ""
 
 
 def _refuse_out_of_range(name: str, value: int, annotation: str) -> None:

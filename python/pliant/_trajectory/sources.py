@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, Protocol, TypeAlias, Union
 
 from pliant import _core
-from pliant._core import FileError, Structure
+from pliant._core import FileError, OptionError, Structure
 from pliant._refusals import shown
 
 H5MD = (".h5md", ".h5", ".hdf5")
@@ -96,12 +96,12 @@ def _first(given: Any, structure: Structure) -> Any:
     return structure.positions[None]
 
 
-def _read(path: str | os.PathLike[str]) -> Structure:
+def _read(path: str | os.PathLike[str], **options: Any) -> Structure:
     """The structure in a file, or the first of a trajectory of ours."""
     if Path(path).suffix.lower() in H5MD:
         return _core.H5mdReader(path).structure(0)
     try:
-        return _core.read(path)
+        return _core.read(path, **options)
     except FileError as error:
         if Path(path).exists():
             raise
@@ -175,3 +175,17 @@ def kind_of(given: object) -> Kind:
 def structure_of(given: Any) -> Structure:
     """A molecule of any kind as a Structure. Raises TypeError, and as its adapter does."""
     return kind_of(given).structure(given)
+
+
+def part_of(given: Any, select: str, assembly: int | str | None) -> Structure:
+    """The atoms that a selection names; of the file at a path, an assembly that it states.
+
+    Raises as `structure_of`, `read` and `Structure.select` do.
+    """
+    if assembly is None:
+        structure = structure_of(given)
+    elif isinstance(given, (str, os.PathLike)) and Path(given).suffix.lower() not in H5MD:
+        structure = _read(given, assembly=assembly)
+    else:
+        raise OptionError("assembly: goes with the path of a file of a molecule")
+    return structure.select(select) if select else structure
