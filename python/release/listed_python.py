@@ -84,7 +84,7 @@ def serves(new: str, old: str) -> bool:
     """Whether every call that the old line allows means the same by the new one."""
     if new == old:
         return True
-    if "(" not in old or new.partition("(")[0] != old.partition("(")[0]:
+    if "(" not in old or "(" not in new or new.partition("(")[0] != old.partition("(")[0]:
         return False
     old_places, old_named, old_any = _parameters(old)
     places, named, takes_any = _parameters(new)
