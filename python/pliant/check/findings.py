@@ -37,7 +37,7 @@ class Finding:
     def in_words(self) -> str:
         """What was measured and what was allowed."""
         allowed = f" ({self.allowed} allowed)" if self.allowed else ""
-        return f"{self.subject}: {self.measured or 'no'}{allowed}"
+        return f"{self.subject}: {self.measured or 'no'}{allowed}".replace(" at most", "")
 
     def as_json(self) -> dict[str, Any]:
         """The finding as one JSON object."""

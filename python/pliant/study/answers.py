@@ -63,14 +63,11 @@ def _input(study: Study) -> Verdict | None:
     missing, said = (study.sampled.facts[name] for name in ("missing", "warnings"))
     if missing:
         more = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
-        return Verdict(
-            "mixed", f"The structure is incomplete: {missing[0]}{more}.", _sentences(said)
-        )
-    return (
-        Verdict("open", "Something about the input was guessed.", _sentences(said))
-        if said
-        else None
-    )
+        others = _sentences([text for text in said if text != missing[0]])
+        return Verdict("mixed", f"The structure is incomplete: {missing[0]}{more}.", others)
+    if said:
+        return Verdict("open", "Something about the input was guessed.", _sentences(said))
+    return None
 
 
 def _sentences(texts: list[str]) -> str:
