@@ -186,10 +186,11 @@ const ModelEntry& entry(ModelKind kind) { return table[static_cast<std::size_t>(
 
 ModelKind usual_model(const Structure& structure) {
   const auto& residues = structure.atoms.residues;
-  const bool is_polymer = std::any_of(residues.begin(), residues.end(), [](const Residue& r) {
-    return is_amino_acid(r) || is_nucleotide(r);
-  });
-  return is_polymer ? ModelKind::protein : ModelKind::molecule;
+  const std::vector<bool> is_polymer = polymer_residues(structure);
+  for (std::size_t r = 0; r < residues.size(); ++r)
+    if (is_polymer[r] && (is_amino_acid(residues[r]) || is_nucleotide(residues[r])))
+      return ModelKind::protein;
+  return ModelKind::molecule;
 }
 
 std::vector<MolecularContact> find_contacts(const Structure& structure, const ModelOptions& options,

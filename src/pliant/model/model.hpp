@@ -39,8 +39,8 @@ std::span<const ModelEntry> models();
 /// The row of a kind.
 const ModelEntry& entry(ModelKind kind);
 
-/// The model that fits a structure: protein where it has amino or nucleic residues, else molecule.
-/// The default model of a structure: protein if it has amino or nucleic residues, else molecule.
+/// The default model of a structure: protein if it has amino acids or nucleotides that are parts of
+/// a polymer (polymer_residues), else molecule: an amino acid alone is a small molecule.
 ModelKind usual_model(const Structure& structure);
 
 struct ModelOptions {

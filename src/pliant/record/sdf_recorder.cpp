@@ -2,6 +2,7 @@
 #include "pliant/record/sdf_recorder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "pliant/base/elements.hpp"
@@ -14,7 +15,8 @@ namespace {
 
 constexpr std::size_t most_of_v2000 = 999;
 constexpr std::size_t pairs_a_line = 8;
-constexpr double least_place = -9999.99995, most_place = 99999.99995;
+constexpr double least_of_v2000 = -9999.99995, most_of_v2000_place = 99999.99995;  // Angstrom
+constexpr double largest_place = 1e9;  // Angstrom: what readers of ours take
 
 template <class... Values>
 void append(std::string& text, const char* format, Values... values) {
@@ -23,11 +25,23 @@ void append(std::string& text, const char* format, Values... values) {
   text.append(line, static_cast<std::size_t>(size));
 }
 
-/// The text as one line: control characters would end it.
+/// The text as one line of at most 80 bytes: control characters would end it, and "$$$$" would end
+/// the record.
 std::string one_line(std::string text) {
   for (char& letter : text)
     if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
-  return text.substr(0, 80);
+  for (std::size_t at; (at = text.find("$$$$")) != std::string::npos;) text.insert(at + 3, " ");
+  std::size_t end = std::min<std::size_t>(text.size(), 80);
+  const auto continues = [&] { return (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80; };
+  while (end > 0 && end < text.size() && continues()) --end;  // never within a letter of UTF-8
+  return text.substr(0, end);
+}
+
+bool fits_v2000(std::span<const Vec3> positions) {
+  return std::ranges::all_of(positions, [](Vec3 x) {
+    return std::min({x.x, x.y, x.z}) > least_of_v2000 &&
+           std::max({x.x, x.y, x.z}) < most_of_v2000_place;
+  });
 }
 
 std::string symbol_of(std::uint8_t element) {
@@ -58,13 +72,10 @@ class SdfRecorder::Writer {
     if (frame.positions.size() != atoms_->size())
       throw InputError(name + std::to_string(frame.positions.size()) + " positions for " +
                        std::to_string(atoms_->size()) + " atoms");
-    for (Vec3 x : frame.positions)
-      for (double value : {x.x, x.y, x.z})
-        if (!(value > least_place && value < most_place))
-          throw InputError(name + "record " + std::to_string(records_ + 1) +
-                           ": a position does not fit the columns of SDF");
+    check(frame.positions);
     text_ = title_ + "\n  Pliant            3D\n\n";
-    const bool is_small = atoms_->size() <= most_of_v2000 && bonds_.size() <= most_of_v2000;
+    const bool is_small = atoms_->size() <= most_of_v2000 && bonds_.size() <= most_of_v2000 &&
+                          fits_v2000(frame.positions);
     is_small ? add_v2000(frame.positions) : add_v3000(frame.positions);
     append(text_, "M  END\n> <frame>\n%lld\n\n$$$$\n", static_cast<long long>(frame.step));
     file_.write(text_);
@@ -79,6 +90,15 @@ class SdfRecorder::Writer {
   }
 
  private:
+  void check(std::span<const Vec3> positions) const {
+    for (std::size_t k = 0; k < positions.size(); ++k)
+      for (double value : {positions[k].x, positions[k].y, positions[k].z})
+        if (!(std::abs(value) <= largest_place))
+          throw InputError(path_text(file_.target()) + ": record " + std::to_string(records_ + 1) +
+                           ": expected positions within 1e9 Angstrom of the origin, but atom " +
+                           std::to_string(k + 1) + " is not");
+  }
+
   void add_v2000(std::span<const Vec3> x) {
     append(text_, "%3zu%3zu  0  0  0  0  0  0  0  0999 V2000\n", atoms_->size(), bonds_.size());
     for (std::size_t k = 0; k < x.size(); ++k)

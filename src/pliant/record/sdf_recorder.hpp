@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SDF recorder: frames as records of one SDF file, the usual form of conformers for docking and
-// cheminformatics programs. V2000 up to 999 atoms and bonds, else V3000 (Biovia, CTfile formats,
-// 2020).
+// cheminformatics programs. V2000 up to 999 atoms and bonds and where positions fit its columns,
+// else V3000 (Biovia, CTfile formats, 2020).
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ class SdfRecorder {
   SdfRecorder(SdfRecorder&&) noexcept;
   SdfRecorder& operator=(SdfRecorder&&) noexcept;
 
-  /// Throws InputError where the number of positions is not that of the atoms, or one does not fit
-  /// the columns (-9999.9999 to 99999.9999 Angstrom); FileError where it cannot be written.
+  /// Throws InputError where the number of positions is not that of the atoms, or one is beyond
+  /// 1e9 Angstrom; FileError where it cannot be written.
   void record(const Frame& frame);
 
   /// Renames the file, or deletes it if it has no record. A recorder that is not closed deletes its

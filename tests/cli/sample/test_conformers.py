@@ -73,6 +73,24 @@ def test_large_molecules_are_written_as_v3000(pliant, tmp_path):
         assert read.GetNumBonds() == made.GetNumBonds()
 
 
+def test_what_does_not_fit_the_columns_of_v2000_is_written_as_v3000(pliant, tmp_path):
+    """-15355.1850 has eleven characters; a title of "$$$$" would end the record."""
+    made = Chem.AddHs(Chem.MolFromSmiles("CCCC"))
+    AllChem.EmbedMolecule(made, randomSeed=7)
+    moved = made.GetConformer().GetPositions() + np.array((0, 0, -15355))
+    lines = Chem.MolToMolBlock(made).split("\n")
+    rows = [f"{x:10.4f}{y:10.4f}{z:10.3f}" for x, y, z in moved]
+    lines[4:18] = [row + line[30:] for row, line in zip(rows, lines[4:18], strict=True)]
+    (tmp_path / "far.sdf").write_text("\n".join(["a $$$$", *lines[1:]]))
+    assert pliant("sample", "far.sdf", "-o", "out.sdf", *RAW, "--frames", 2).code == 0
+    first = (tmp_path / "out.sdf").read_text().split("$$$$\n")[0].split("\n")
+    assert (first[0], first[3][34:39]) == ("a $$$ $", "V3000")
+    for one in records(tmp_path / "out.sdf"):
+        assert Chem.MolToSmiles(Chem.RemoveHs(one)) == "CCCC"
+        found = one.GetConformer().GetPositions()
+        assert abs(found.mean(axis=0) - moved.mean(axis=0)).max() < 3
+
+
 def test_what_moves_is_named_in_json(pliant, drug):
     ended = pliant("sample", drug, "-o", "out.sdf", *RAW, "--frames", 2, "--json")
     report = json.loads(ended.out)

@@ -192,6 +192,8 @@ TEST(BuildModel, TakesContactsInPlaceOfItsOwn) {
 TEST(UsualModel, IsToldByResidues) {
   Structure s;
   add_residue(s, "GLY", 1, glycine({0, 0, 0}));
+  EXPECT_EQ(usual_model(s), ModelKind::molecule) << "an amino acid alone is a ligand";
+  add_residue(s, "GLY", 2, glycine({8, 0, 0}));
   EXPECT_EQ(usual_model(s), ModelKind::protein);
   EXPECT_EQ(usual_model(amide_and_carbonyl()), ModelKind::molecule);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/molecule/structure/residue_templates.hpp"
 
 namespace pliant {
@@ -130,5 +131,21 @@ bool is_water(const Residue& residue) { return is_of_kind(residue, ResidueKind::
 bool is_amino_acid(const Residue& residue) { return is_of_kind(residue, ResidueKind::amino_acid); }
 bool is_nucleotide(const Residue& residue) { return is_of_kind(residue, ResidueKind::nucleotide); }
 bool is_cap(const Residue& residue) { return is_of_kind(residue, ResidueKind::cap); }
+
+std::vector<bool> polymer_residues(const Structure& structure) {
+  const auto& residues = structure.atoms.residues;
+  const auto& residue_of = structure.atoms.residue_of;
+  const auto& elements = structure.atoms.elements;
+  std::vector<bool> found(residues.size(), false);
+  const auto is_known = [](const Residue& one) { return is_amino_acid(one) || is_nucleotide(one); };
+  if (std::ranges::count_if(residues, is_known) > 1)
+    std::transform(residues.begin(), residues.end(), found.begin(), is_known);
+  for (const Bond& bond : structure.bonds) {
+    const bool links = residue_of[bond.a] != residue_of[bond.b];
+    if (links && !is_metal(elements[bond.a]) && !is_metal(elements[bond.b]))
+      found[residue_of[bond.a]] = found[residue_of[bond.b]] = true;
+  }
+  return found;
+}
 
 }  // namespace pliant

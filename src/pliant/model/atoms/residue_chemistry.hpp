@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "pliant/molecule/structure/structure.hpp"
 
@@ -41,11 +42,16 @@ struct PolarSite {
 /// All sites of side chains and nucleotides.
 std::span<const PolarSite> polar_sites();
 
-/// Whether a residue is water, an amino acid (by name or backbone), or a nucleotide.
+/// Whether a residue is water, an amino acid or a nucleotide, by its name.
 bool is_water(const Residue& residue);
 bool is_amino_acid(const Residue& residue);
 bool is_nucleotide(const Residue& residue);
 /// Whether it is a cap of a peptide: ACE, NME, NH2.
 bool is_cap(const Residue& residue);
+
+/// (R) Whether each residue is a part of a polymer: bonded to another residue, but not to a metal,
+/// or one of two and more that are amino acids or nucleotides by name. What atoms are called says
+/// nothing: a ligand may have N and CA, or C4', too.
+std::vector<bool> polymer_residues(const Structure& structure);
 
 }  // namespace pliant

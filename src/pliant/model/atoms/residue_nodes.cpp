@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pliant/model/atoms/atom_graph.hpp"
+#include "pliant/model/atoms/residue_chemistry.hpp"
 
 namespace pliant {
 namespace {
@@ -14,7 +15,10 @@ constexpr std::uint8_t hydrogen = 1, carbon = 6, phosphorus = 15;
 class NodeFinder {
  public:
   explicit NodeFinder(const Structure& structure)
-      : structure_(structure), residues_(structure.atoms), graph_(structure) {
+      : structure_(structure),
+        residues_(structure.atoms),
+        graph_(structure),
+        is_polymer_(polymer_residues(structure)) {
     nodes_.of_atom.assign(structure.size(), no_residue_node);
   }
 
@@ -54,6 +58,7 @@ class NodeFinder {
   }
 
   std::uint32_t atom_of_polymer(std::size_t residue) const {
+    if (!is_polymer_[residue]) return no_atom;
     const std::uint32_t alpha = find(residue, "CA", carbon);
     if (alpha != no_atom && residues_.find(residue, "N") != no_atom) return alpha;
     const std::uint32_t sugar = find(residue, "C4'", carbon);
@@ -81,6 +86,7 @@ class NodeFinder {
   const Structure& structure_;
   ResidueAtoms residues_;
   AtomGraph graph_;
+  std::vector<bool> is_polymer_;
   ResidueNodes nodes_;
   std::uint32_t chain_ = 0;
 };

@@ -20,9 +20,10 @@ struct ResidueNodes {
   std::vector<bool> is_residue;        ///< (M) whether the node represents a residue of a polymer
 };
 
-/// Makes a node at the alpha carbon of an amino acid, at P (or C4') of a nucleotide, and at each
-/// heavy atom of anything else, whose hydrogens move with the heavy atoms they are bonded to. Atoms
-/// of a residue without any of these, such as a lone hydrogen, have no node.
+/// Makes a node at the alpha carbon of an amino acid, at P (or C4') of a nucleotide, if these are
+/// parts of a polymer (polymer_residues), and at each heavy atom of anything else, whose hydrogens
+/// move with the heavy atoms they are bonded to. Atoms of a residue without any of these, such as a
+/// lone hydrogen, have no node.
 ResidueNodes residue_nodes(const Structure& structure);
 
 }  // namespace pliant
