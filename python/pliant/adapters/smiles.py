@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
 
 #: Angstrom; a bond is never that long
 _LONGEST = 4.0
+MOST_ATOMS = 500  #: with hydrogens; the time of one try of an embedding grows as their cube
+#: Elements that RDKit embeds; all others are metals.
+_NO_METALS = frozenset("H He B C N O F Ne Si P S Cl Ar Ge As Se Br Kr Sb Te I Xe At Rn".split())
 
 
 @checked(seed=whole(0, 2**31 - 1))
@@ -52,8 +56,7 @@ def embedded(smiles: str, seed: int = 0) -> Mol:
     if len(Chem.GetMolFrags(parsed)) > 1:
         raise InputError(f"SMILES '{smiles}': expected one molecule, found several ('.')")
     molecule = Chem.AddHs(parsed)
-    if not embed(molecule, seed):
-        raise InputError(f"SMILES '{smiles}': RDKit found no 3-D structure")
+    embed(molecule, f"SMILES '{smiles}'", seed)
     molecule.SetProp("_Name", smiles)
     return molecule
 
@@ -69,23 +72,51 @@ def parsed_smiles(smiles: str) -> Mol:
     return parsed
 
 
-def embed(molecule: Mol, seed: int = 0) -> bool:
-    """Gives a molecule with all its hydrogens one conformer; whether its bonds are whole."""
+def metals_in(symbols: Iterable[str]) -> list[str]:
+    """The metals among elements, each once."""
+    return [one for one in dict.fromkeys(symbols) if one not in _NO_METALS]
+
+
+def embed(molecule: Mol, place: str, seed: int = 0) -> None:
+    """Gives a molecule with all its hydrogens one conformer.
+
+    Raises InputError, which begins with `place`, where it holds a metal, has more than MOST_ATOMS
+    atoms, or no structure is found in a number of tries that depends on its size alone.
+    """
     from rdkit import rdBase
-    from rdkit.Chem import rdDistGeom, rdForceFieldHelpers
+    from rdkit.Chem import rdForceFieldHelpers
+
+    count = molecule.GetNumAtoms()
+    if metals := metals_in(atom.GetSymbol() for atom in molecule.GetAtoms()):
+        raise InputError(f"{place}: RDKit makes no 3-D structure of the metal {', '.join(metals)}")
+    if count > MOST_ATOMS:
+        raise InputError(
+            f"{place}: expected at most {MOST_ATOMS} atoms to make 3-D, hydrogens included, "
+            f"found {count}"
+        )
+    tries = max(1, min(10 * count, 10**6 // count**2))
+    more = max(1, tries // 10)
+    with rdBase.BlockLogs():
+        if not (_placed(molecule, tries, seed) or _placed(molecule, more, seed, at_random=True)):
+            raise InputError(f"{place}: RDKit found no 3-D structure in {tries + more} tries")
+        if rdForceFieldHelpers.MMFFOptimizeMolecule(molecule, "MMFF94s", maxIters=2000) < 0:
+            rdForceFieldHelpers.UFFOptimizeMolecule(molecule, maxIters=2000)
+    if _longest_bond(molecule) >= _LONGEST:
+        raise InputError(f"{place}: RDKit found no 3-D structure: a force field tore bonds apart")
+
+
+def _placed(molecule: Mol, tries: int, seed: int, *, at_random: bool = False) -> bool:
+    from rdkit.Chem import rdDistGeom
 
     options: Any = rdDistGeom.ETKDGv3()
     options.randomSeed = seed + 1  # 0 is not a seed
-    with rdBase.BlockLogs():
-        if rdDistGeom.EmbedMolecule(molecule, options) != 0:
-            return False
-        if rdForceFieldHelpers.MMFFOptimizeMolecule(molecule, "MMFF94s", maxIters=2000) < 0:
-            rdForceFieldHelpers.UFFOptimizeMolecule(molecule, maxIters=2000)
-    return _longest_bond(molecule) < _LONGEST
+    options.maxIterations = tries
+    options.useRandomCoords = at_random
+    return bool(rdDistGeom.EmbedMolecule(molecule, options) == 0)
 
 
 def _longest_bond(molecule: Mol) -> float:
-    """Angstrom; force fields tear complexes of metals apart."""
+    """Angstrom."""
     x = molecule.GetConformer().GetPositions()
     ends = [(one.GetBeginAtomIdx(), one.GetEndAtomIdx()) for one in molecule.GetBonds()]
     return max((float(np.linalg.norm(x[a] - x[b])) for a, b in ends), default=0.0)

@@ -15,6 +15,7 @@ import numpy as np
 from pliant import _core
 from pliant._core import InputError, PliantWarning, Structure
 from pliant._extras import need
+from pliant._refusals import shown
 from pliant.conformers.mol_block import MolBlock, block_of, filled, parse
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import Record
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
 AROMATIC = 4  #: order of a bond
+COUNTER_IONS = frozenset("Li Na K Rb Cs Fr Be Mg Ca Sr Ba Ra".split())
 #: Valences in use where nothing is missing, of neutral atoms; a charge adds to that of N, O and
 #: takes from that of C.
 _VALENCES = {6: 4, 7: 3, 8: 2}
@@ -59,10 +61,14 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
     with noted() as notes:
         structure = _core.read_text(record.text, record.place, format="sdf")
     block = parse(record.text)
+    _check_elements(
+        structure, [(before + after).split()[0] for before, after in block.atoms], record.place
+    )
     parts = block.components()
     if len(parts) > 1:
         kept = largest([(_heavy(structure, part), len(part)) for part in parts])
         notes.append(_salt_note(len(parts), options, record.place))
+        _check_left_out(_symbols(structure, parts), kept, record.place)
         block = block.part(parts[kept])
         text = filled(block.form(), structure.positions[parts[kept]])
         with noted():
@@ -83,12 +89,16 @@ def subject_of_mol(
     from rdkit import Chem
 
     name = molecule.GetProp("_Name") if molecule.HasProp("_Name") else ""
+    _check_elements_of_mol(molecule, place)
     notes, whole = [], molecule
     parts = Chem.GetMolFrags(molecule, asMols=True)
     if len(parts) > 1:
         notes.append(_salt_note(len(parts), options, place))
         sizes = [(part.GetNumHeavyAtoms(), part.GetNumAtoms()) for part in parts]
-        molecule = parts[largest(sizes)]
+        kept = largest(sizes)
+        symbols = [[atom.GetSymbol() for atom in part.GetAtoms()] for part in parts]
+        _check_left_out(symbols, kept, place)
+        molecule = parts[kept]
         for key, value in whole.GetPropsAsDict(
             includePrivate=True, autoConvertStrings=False
         ).items():
@@ -108,11 +118,14 @@ def subject_of_mol(
 def subject_of_structure(structure: Structure, options: ConformerOptions) -> Subject:
     """Of a structure with bonds, whose bond orders are known."""
     place = structure.source or structure.title or "the structure"
+    _check_elements(structure, structure.symbols.tolist(), place)
     block = block_of(structure)
     parts, notes = block.components(), list[str]()
     if len(parts) > 1:
-        kept = parts[largest([(_heavy(structure, part), len(part)) for part in parts])]
+        largest_part = largest([(_heavy(structure, part), len(part)) for part in parts])
+        kept = parts[largest_part]
         notes.append(_salt_note(len(parts), options, place))
+        _check_left_out(_symbols(structure, parts), largest_part, place)
         block, is_kept = block.part(kept), "index " + " ".join(map(str, kept))
         with noted():
             structure = structure.select(is_kept)
@@ -155,8 +168,7 @@ def _embedded(
     from pliant.adapters.smiles import embed
 
     made = Chem.AddHs(Chem.RemoveHs(molecule, sanitize=True))
-    if not embed(made, options.seed):
-        raise InputError(f"{place}: RDKit found no 3-D structure")
+    embed(made, place, options.seed)
     return _of_whole_mol(made, name, notes)
 
 
@@ -200,6 +212,35 @@ def largest(sizes: list[tuple[int, int]]) -> int:
 
 def _heavy(structure: Structure, part: list[int]) -> int:
     return int(np.count_nonzero(structure.elements[part] != 1))
+
+
+def _symbols(structure: Structure, parts: list[list[int]]) -> list[list[str]]:
+    return [structure.symbols[part].tolist() for part in parts]
+
+
+def _check_elements(structure: Structure, written: list[str], place: str) -> None:
+    for k in np.flatnonzero(structure.elements == 0).tolist():
+        raise InputError(f"{place}: atom {k + 1} is {shown(written[k])}: expected an element")
+
+
+def _check_elements_of_mol(molecule: Mol, place: str) -> None:
+    for atom in molecule.GetAtoms():
+        if atom.GetAtomicNum() == 0:
+            symbol = shown(atom.GetSymbol())
+            raise InputError(f"{place}: atom {atom.GetIdx() + 1} is {symbol}: expected an element")
+
+
+def _check_left_out(parts: list[list[str]], kept: int, place: str) -> None:
+    """Raises InputError where a metal that is no counter-ion would be left out."""
+    from pliant.adapters.smiles import metals_in
+
+    for k, symbols in enumerate(parts):
+        is_ion = len(symbols) == 1 and symbols[0] in COUNTER_IONS
+        if k != kept and not is_ion and (metals := metals_in(symbols)):
+            raise InputError(
+                f"{place}: the metal {', '.join(metals)} is not bonded to the largest of "
+                f"{len(parts)} molecules: only lone ions of groups 1 and 2 are left out"
+            )
 
 
 def _salt_note(parts: int, options: ConformerOptions, place: str) -> str:

@@ -122,6 +122,43 @@ def test_salts_are_said_or_refused():
     assert pliant.conformers(salt, 3, **FAST).GetNumAtoms() == 10
 
 
+@pytest.mark.parametrize(
+    ("smiles", "what"),
+    [
+        (
+            "[Fe+2].c1cc[cH-]c1.c1cc[cH-]c1",
+            "the metal Fe is not bonded to the largest of 3 molecules: only lone ions of groups 1 "
+            "and 2 are left out",
+        ),
+        (
+            "CCCC(=O)[O-].C[Sn+](C)C",
+            "the metal Sn is not bonded to the largest of 2 molecules: only lone ions of groups 1 "
+            "and 2 are left out",
+        ),
+        ("N[Pt](N)(Cl)Cl", "RDKit makes no 3-D structure of the metal Pt"),
+        ("CC*", "atom 3 is '*': expected an element"),
+    ],
+)
+def test_metals_are_never_left_out_and_what_is_no_element_is_named(tmp_path, smiles, what):
+    (tmp_path / "some.smi").write_text(f"{smiles} some\n")
+    drawn = Chem.MolFromSmiles(smiles)
+    AllChem.Compute2DCoords(drawn)
+    (tmp_path / "some.sdf").write_text(record(drawn, "some"))
+    for name in ("some.smi", "some.sdf"):
+        (failed,) = pliant.conformers(tmp_path / name, 3, embed=True, **FAST)
+        assert failed.name == "some"
+        reason = failed.reason.replace("'R'", "'*'").replace("'R#'", "'*'")
+        assert reason == f"{name} record 1: {what}"
+
+
+@pytest.mark.parametrize("symbol", ["A", "Q", "*", "R#", "Xx"])
+def test_symbols_that_are_no_element_are_named(tmp_path, symbol):
+    text = record(embedded("CC"), "some").replace(" C   0", f" {symbol:<3} 0", 1)
+    (tmp_path / "some.sdf").write_text(text)
+    (failed,) = pliant.conformers(tmp_path / "some.sdf", 3, **FAST)
+    assert failed.reason == f"some.sdf record 1: atom 1 is '{symbol}': expected an element"
+
+
 def test_a_sample_of_a_salt_is_of_the_largest_molecule():
     salt = Chem.AddHs(Chem.MolFromSmiles("CCCC(=O)[O-].[Na+]"))
     AllChem.EmbedMolecule(salt, randomSeed=1)

@@ -44,8 +44,38 @@ def test_what_is_no_molecule_is_said(smiles, message):
     assert str(error.value) == message
 
 
-def test_a_complex_that_the_force_field_tears_apart_is_refused():
-    torn = "N#CS[Cd](SC#N)([N+]1=CC=CC=C1)[N+]2=CC=CC=C2"
+@pytest.mark.parametrize(
+    ("smiles", "what"),
+    [
+        ("N[Pt](N)(Cl)Cl", "RDKit makes no 3-D structure of the metal Pt"),
+        (
+            "N#CS[Cd](SC#N)([N+]1=CC=CC=C1)[N+]2=CC=CC=C2",
+            "RDKit makes no 3-D structure of the metal Cd",
+        ),
+        (200 * "C", "expected at most 500 atoms to make 3-D, hydrogens included, found 602"),
+        ("C1#CC1", "RDKit found no 3-D structure in 55 tries"),
+    ],
+)
+def test_what_rdkit_cannot_embed_is_refused_at_once(smiles, what):
     with pytest.raises(pliant.InputError) as caught:
-        pliant.from_smiles(torn)
-    assert str(caught.value) == f"SMILES '{torn}': RDKit found no 3-D structure"
+        pliant.from_smiles(smiles)
+    assert str(caught.value) == f"SMILES '{smiles}': {what}"
+
+
+@pytest.mark.long
+def test_random_coordinates_help_where_others_do_not():
+    assert len(pliant.from_smiles(100 * "C")) == 302
+
+
+def test_a_limit_of_tries_changes_no_bits():
+    from pliant.adapters.smiles import embed
+    from rdkit.Chem import rdDistGeom, rdForceFieldHelpers
+
+    one, other = (Chem.AddHs(Chem.MolFromSmiles(IBUPROFEN)) for _ in range(2))
+    embed(one, "x", 3)
+    options = rdDistGeom.ETKDGv3()
+    options.randomSeed = 4
+    rdDistGeom.EmbedMolecule(other, options)
+    rdForceFieldHelpers.MMFFOptimizeMolecule(other, "MMFF94s", maxIters=2000)
+    ours, theirs = (mol.GetConformer().GetPositions() for mol in (one, other))
+    assert np.array_equal(ours, theirs)
