@@ -2,8 +2,9 @@
 """The output of a library: molecules are committed one by one, and a killed run can be resumed.
 
 Beside OUT.sdf stand .OUT.sdf.partial, with the records so far, and .OUT.sdf.journal: a line for
-what was asked for, then one for each molecule with the bytes up to its end. A molecule counts once
-its line is whole. At the end the first gets its name and the second goes.
+what was asked for, then one for each molecule with the bytes up to its end and their checksum. Each
+line begins with a checksum of itself and of all before it. A molecule counts once its line is
+whole, and both are on the disk. At the end the first gets its name and the second goes.
 """
 
 from __future__ import annotations
@@ -19,10 +20,11 @@ from typing import IO, Any
 from pliant import _core
 from pliant._core import FileError, InputError
 from pliant._file_lock import take_lock
+from pliant._input_files import open_file
 from pliant.conformers.workers import Outcome
 from pliant.console import printable_name
 
-_LOOKED_AT = 2**20  #: bytes of the input by which it is known again
+_CHUNK = 2**20  #: bytes that are read at once
 
 
 def places(output: Path) -> tuple[Path, Path]:
@@ -36,9 +38,11 @@ def places(output: Path) -> tuple[Path, Path]:
 def fingerprint(path: Path) -> dict[str, Any]:
     """By which an input is known again."""
     try:
-        with open(path, "rb") as file:
-            head = hashlib.sha256(file.read(_LOOKED_AT)).hexdigest()
-        return {"size": path.stat().st_size, "head": head}
+        found = hashlib.sha256()
+        with open(path, "rb", opener=open_file) as file:
+            while chunk := file.read(_CHUNK):
+                found.update(chunk)
+        return {"sha256": found.hexdigest()}
     except OSError as error:
         raise FileError(f"{printable_name(path)}: {error.strerror}") from None
 
@@ -47,11 +51,16 @@ class Journal:
     """An output that is being written. Leaves both files behind unless it was published."""
 
     def __init__(
-        self, output: Path, asked: dict[str, Any], records: IO[bytes], notes: IO[bytes]
+        self,
+        output: Path,
+        asked: dict[str, Any],
+        records: IO[bytes],
+        notes: IO[bytes],
+        chained: str,
     ) -> None:
         self.output, self.asked = output, asked
         self.outcomes: list[Outcome] = []
-        self._records, self._notes = records, notes
+        self._records, self._notes, self._sum = records, notes, chained
 
     @classmethod
     def begin(cls, output: Path, asked: dict[str, Any], overwrite: bool) -> Journal:
@@ -68,10 +77,11 @@ class Journal:
         try:
             notes = _locked(journal, "ab+", output)
             notes.truncate(0)
-            made = cls(output, asked, _opened(partial, "wb"), notes)
+            partial.unlink(missing_ok=True)  # a killed run may have given it its name, too
+            made = cls(output, {**asked, "overwrite": overwrite}, _opened(partial, "wb"), notes, "")
         except OSError as error:
             raise FileError(f"{printable_name(output)}: {error.strerror}") from None
-        made._note({"pliant": _core.version(), **asked})
+        made._note({"pliant": _core.version(), **made.asked})
         return made
 
     @classmethod
@@ -82,30 +92,26 @@ class Journal:
             there = "it is finished" if output.exists() else "there is no such run"
             raise FileError(f"{printable_name(output)}: nothing to continue: {there}")
         notes = _locked(journal, "rb+", output)
-        whole = list(_whole_lines(notes))
-        if whole and not partial.exists() and output.exists():  # ended while it was given its name
+        whole = list(_whole_lines(notes, output))
+        if whole and _is_named(partial, output):  # ended while it was given its name
+            partial.unlink(missing_ok=True)
             journal.unlink()
             raise FileError(f"{printable_name(output)}: nothing to continue: it is finished")
         if not whole or not partial.exists():
-            raise InputError(
-                f"{printable_name(output)}: its unfinished run is damaged; --overwrite begins anew"
-            )
-        asked = whole[0][0]
+            raise _unusable(output)
+        (asked, *_), *lines = whole
+        lines_end, chained = whole[-1][1:]
         if asked.pop("pliant") != _core.version():
-            raise InputError(
-                f"{printable_name(output)}: was begun by another version of Pliant; --overwrite "
-                "begins anew"
-            )
-        records = _opened(partial, "rb+")
-        size = records.seek(0, os.SEEK_END)
-        made = cls(output, asked, records, notes)
-        end, lines_end = 0, whole[0][1]
-        for line, line_end in whole[1:]:
-            if line["end"] > size:  # the system lost it
-                break
-            end, lines_end = line.pop("end"), line_end
+            raise _unusable(output)
+        if output.exists() and not asked["overwrite"]:
+            raise _in_the_way(output)
+        made, end = cls(output, asked, _opened(partial, "rb+"), notes, chained), 0
+        for line, *_ in lines:
+            end, before = line.pop("end"), end
+            if line.pop("sha256") != hashlib.sha256(made._records.read(end - before)).hexdigest():
+                raise _unusable(output)
             made.outcomes.append(Outcome(**line))
-        for file, length in ((records, end), (notes, lines_end)):
+        for file, length in ((made._records, end), (notes, lines_end)):
             file.truncate(length)
             file.seek(length)
         return made
@@ -113,25 +119,31 @@ class Journal:
     def add(self, outcome: Outcome) -> None:
         """Writes what was made of a record, then commits it."""
         self._records.write(outcome.text)
-        self._records.flush()
-        outcome.text = b""
+        _synced(self._records)
+        found, outcome.text = hashlib.sha256(outcome.text).hexdigest(), b""
         line = asdict(outcome)
         del line["text"]
-        self._note({**line, "end": self._records.tell()})
+        self._note({**line, "end": self._records.tell(), "sha256": found})
         self.outcomes.append(outcome)
 
     def _note(self, line: dict[str, Any]) -> None:
-        self._notes.write(json.dumps(line).encode() + b"\n")
-        self._notes.flush()
+        text = json.dumps(line).encode()
+        self._sum = _chained(self._sum, text)
+        self._notes.write(self._sum.encode() + b" " + text + b"\n")
+        _synced(self._notes)
 
     def publish(self) -> None:
-        """Gives the output its name; without any record both files go."""
+        """Gives the output its name; without any record both files go.
+
+        Raises FileError, and leaves both, where another file has the name, unless it may go.
+        """
         partial, journal = places(self.output)
-        os.fsync(self._records.fileno())
-        if self._records.tell() > 0:
+        if self._records.tell() == 0:
+            partial.unlink()
+        elif self.asked["overwrite"]:
             os.replace(partial, self.output)
         else:
-            partial.unlink()
+            _take_name(partial, self.output)
         journal.unlink()
 
     def close(self) -> None:
@@ -154,15 +166,54 @@ def _locked(path: Path, mode: str, output: Path) -> IO[bytes]:
     return file
 
 
-def _whole_lines(file: IO[bytes]) -> Iterator[tuple[dict[str, Any], int]]:
-    """Each line with where it ends; a line that a kill cut short, and what follows, is none."""
-    end = 0
+def _synced(file: IO[bytes]) -> None:
+    file.flush()
+    os.fsync(file.fileno())
+
+
+def _take_name(partial: Path, output: Path) -> None:
+    try:
+        os.link(partial, output)
+    except OSError:  # the name is taken, or a file system without links
+        if output.exists():
+            raise _in_the_way(output) from None
+        partial.rename(output)
+    else:
+        partial.unlink()
+
+
+def _is_named(partial: Path, output: Path) -> bool:
+    return output.exists() and (not partial.exists() or partial.samefile(output))
+
+
+def _in_the_way(output: Path) -> FileError:
+    name = printable_name(output)
+    return FileError(
+        f"{name}: came to be meanwhile: once it has another name or place, --continue {name} "
+        "ends the run"
+    )
+
+
+def _unusable(output: Path) -> InputError:
+    return InputError(
+        f"{printable_name(output)}: its unfinished run is damaged, or of another version of "
+        "Pliant; --overwrite begins anew"
+    )
+
+
+def _chained(before: str, text: bytes) -> str:
+    return hashlib.sha256(before.encode() + text).hexdigest()
+
+
+def _whole_lines(file: IO[bytes], output: Path) -> Iterator[tuple[dict[str, Any], int, str]]:
+    """Each line, where it ends, and its checksum. A kill may have cut the last one: it is none."""
+    end, found = 0, ""
     for line in file:
+        if not line.endswith(b"\n"):
+            return
         end += len(line)
-        try:
-            found = json.loads(line)
-        except ValueError:
-            return
-        if not line.endswith(b"\n") or not isinstance(found, dict):
-            return
-        yield found, end
+        said, _, text = line[:-1].partition(b" ")
+        found = _chained(found, text)
+        if said != found.encode():
+            raise _unusable(output)
+        yield json.loads(text), end, found

@@ -125,7 +125,7 @@ def resume(output: Path) -> Journal:
     """An unfinished one. Raises as Journal.resume, and InputError where the input has changed."""
     journal = Journal.resume(output)
     source, _ = what_was_asked(journal)
-    known = {name: journal.asked.get(name) for name in ("size", "head")}
+    known = {"sha256": journal.asked.get("sha256")}
     if source.file and fingerprint(Path(source.file)) != known:
         journal.close()
         raise InputError(f"{source.file}: is not the file that {output} was begun with")

@@ -4,6 +4,7 @@
 import bz2
 import gzip
 import json
+import os
 import re
 import signal
 import subprocess
@@ -14,8 +15,12 @@ import pytest
 
 pytest.importorskip("rdkit")
 from libraries import embedded, library, molecules, record
+from pliant.conformers.journal import Journal
+from pliant.conformers.workers import Outcome
 from rdkit import Chem
 from rdkit.Chem import AllChem
+
+from pliant import FileError
 
 FAST = ("--frames", 40, "--starts", 2, "--max", 3)
 BROKEN = "broken\n\n\n  1  0\nnot an atom line\n$$$$\n"
@@ -153,22 +158,94 @@ def test_a_killed_run_goes_on_to_the_same_bytes(pliant, command, with_broken, tm
     assert not list(tmp_path.glob(".*"))
 
 
-def test_what_is_damaged_or_has_changed_is_not_continued(pliant, command, with_broken, tmp_path):
-    (tmp_path / ".out.sdf.partial").write_bytes(b"")
-    (tmp_path / ".out.sdf.journal").write_bytes(b"{}")
-    ended = pliant("conformers", "--continue", "out.sdf")
-    assert ended.err == (
-        "pliant conformers: error: out.sdf: its unfinished run is damaged; --overwrite begins "
-        "anew\n"
-    )
-    words = ["conformers", with_broken, *map(str, FAST), "--threads", "1", "--overwrite"]
+IN_THE_WAY = (
+    "pliant conformers: error: out.sdf: came to be meanwhile: once it has another name or place, "
+    "--continue out.sdf ends the run\n"
+)
+UNUSABLE = (
+    "pliant conformers: error: out.sdf: its unfinished run is damaged, or of another version of "
+    "Pliant; --overwrite begins anew\n"
+)
+
+
+@pytest.fixture
+def unfinished(command, with_broken, tmp_path):
+    """A run that was killed: its folder with a library, .out.sdf.partial and .out.sdf.journal."""
+    words = ["conformers", with_broken, *map(str, FAST), "--threads", "1"]
     assert stopped(command, words, tmp_path, "out.sdf", signal.SIGKILL)[0] == -signal.SIGKILL
-    (tmp_path / with_broken).write_text(library(3))
+    return tmp_path
+
+
+def test_what_is_damaged_is_not_continued(pliant, unfinished):
+    partial, journal = unfinished / ".out.sdf.partial", unfinished / ".out.sdf.journal"
+    records, notes = partial.read_bytes(), journal.read_bytes()
+    lines = notes[: notes.rindex(b"\n") + 1].splitlines(keepends=True)
+    flipped = bytearray(records)
+    flipped[100] ^= 1
+    for damaged in (
+        (bytes(flipped), notes),
+        (records[:100], notes),
+        (records, b"".join([*lines[:2], *lines[3:]])),
+        (records, b"".join([*lines[:2], lines[1], *lines[2:]])),
+        (records, b'{"a": 1}\n'),
+        (records, b"{}"),
+        (records, b"\xff\n" + notes),
+    ):
+        partial.write_bytes(damaged[0])
+        journal.write_bytes(damaged[1])
+        ended = pliant("conformers", "--continue", "out.sdf")
+        assert (ended.code, ended.err) == (1, UNUSABLE)
+        assert partial.read_bytes() == damaged[0]
+
+
+def test_another_input_is_not_continued(pliant, unfinished):
+    path = unfinished / "library.sdf"
+    path.write_text(path.read_text()[:-6] + " $$$$\n")  # of the same size
     ended = pliant("conformers", "--continue", "out.sdf")
     assert (ended.code, ended.err) == (
         1,
         "pliant conformers: error: library.sdf: is not the file that out.sdf was begun with\n",
     )
+
+
+def test_another_file_of_the_name_is_kept(pliant, unfinished):
+    output = unfinished / "out.sdf"
+    output.write_text("another's")
+    ended = pliant("conformers", "--continue", "out.sdf")
+    assert (ended.code, ended.err) == (1, IN_THE_WAY)
+    assert output.read_text() == "another's"
+
+
+def test_a_file_that_came_to_be_meanwhile_is_kept(tmp_path):
+    output = tmp_path / "out.sdf"
+    journal = Journal.begin(output, {}, overwrite=False)
+    journal.add(Outcome(1, "one", text=b"made\n"))
+    output.write_text("another's")
+    with pytest.raises(FileError, match="came to be meanwhile"):
+        journal.publish()
+    journal.close()
+    output.unlink()
+    journal = Journal.resume(output)
+    journal.publish()
+    journal.close()
+    assert output.read_bytes() == b"made\n"
+    assert not list(tmp_path.glob(".*"))
+
+
+@pytest.mark.parametrize("is_linked", [True, False])
+def test_a_kill_while_the_output_gets_its_name(tmp_path, is_linked):
+    output = tmp_path / "out.sdf"
+    journal = Journal.begin(output, {}, overwrite=False)
+    journal.add(Outcome(1, "one", text=b"made\n"))
+    journal.close()
+    partial = tmp_path / ".out.sdf.partial"
+    os.link(partial, output)
+    if not is_linked:
+        partial.unlink()
+    with pytest.raises(FileError, match="nothing to continue: it is finished"):
+        Journal.resume(output)
+    assert output.read_bytes() == b"made\n"
+    assert not list(tmp_path.glob(".*"))
 
 
 def test_shards_hold_all_records(pliant, with_broken, tmp_path):
