@@ -114,8 +114,10 @@ int most_bonds(std::uint8_t element) {
       return 6;
     case 53:
       return 7;
+    case 30:
+      return 12;  // within its residue
     default:
-      return 0;  // zinc, and no element
+      return 0;  // no element
   }
 }
 

@@ -67,6 +67,7 @@ class DistanceStep {
     count_known_bonds();
     collect_candidates();
     drop_ends_of_angles();
+    drop_at_full_atoms();
     accept(heavy_);
     // Two hydrogens are a molecule only when neither has anything else to be bonded to.
     accept(hydrogen_pairs_);
@@ -136,8 +137,7 @@ class DistanceStep {
   bool is_possible(std::uint32_t a, std::uint32_t b, double length, double ratio) const {
     const auto [light, heavy] = std::minmax(elements_[a], elements_[b]);
     if (is_metal(light) || is_metal(heavy)) return is_of_complex(a, b);
-    if (light != hydrogen) return !is_full(a) && !is_full(b);
-    if (heavy == carbon) return !is_full(elements_[a] == carbon ? a : b);
+    if (light != hydrogen || heavy == carbon) return true;
     if (heavy > neon) return ratio >= least_ratio_to_heavy;
     if (heavy != hydrogen) return true;
     const auto& residue_of = p_.structure.atoms.residue_of;
@@ -205,6 +205,17 @@ class DistanceStep {
                std::ranges::find(around_b, centre) != around_b.end() &&
                subtends_wide_angle(length, p_.length(centre, c.a), p_.length(centre, c.b));
       });
+    });
+  }
+
+  /// Drops pairs at atoms that the bonds known before leave no place. After the ends of angles: what
+  /// is dropped here still tells these apart, so that perceiving again adds nothing.
+  void drop_at_full_atoms() {
+    std::erase_if(heavy_, [&](const Candidate& c) {
+      const auto [light, heavy] = std::minmax(elements_[c.a], elements_[c.b]);
+      if (is_metal(light) || is_metal(heavy)) return false;
+      if (light != hydrogen) return is_full(c.a) || is_full(c.b);
+      return heavy == carbon && is_full(elements_[c.a] == carbon ? c.a : c.b);
     });
   }
 
