@@ -12,8 +12,8 @@
 
 namespace pliant {
 
-/// A singular value up to this counts as 0. The row of a bar has its unit vector at one end, minus it
-/// at the other.
+/// A singular value up to this counts as 0. The row of a bar has its unit vector at one end, minus
+/// it at the other.
 inline constexpr double rank_tolerance = 1e-9;
 /// A bar takes part in self-stresses if its share is above this; all of a bar's stress is 1.
 inline constexpr double stress_tolerance = 1e-6;

@@ -208,8 +208,8 @@ class DistanceStep {
     });
   }
 
-  /// Drops pairs at atoms that the bonds known before leave no place. After the ends of angles: what
-  /// is dropped here still tells these apart, so that perceiving again adds nothing.
+  /// Drops pairs at atoms that the bonds known before leave no place. After the ends of angles:
+  /// what is dropped here still tells these apart, so that perceiving again adds nothing.
   void drop_at_full_atoms() {
     std::erase_if(heavy_, [&](const Candidate& c) {
       const auto [light, heavy] = std::minmax(elements_[c.a], elements_[c.b]);
