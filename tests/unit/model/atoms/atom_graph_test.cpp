@@ -56,10 +56,12 @@ TEST(NearAtoms, AreThoseWithinReachButNotItself) {
 }
 
 TEST(ResidueNodes, AreAlphaCarbonsAndHeavyAtomsOfTheRest) {
-  const ResidueNodes nodes = residue_nodes(mixed());
-  EXPECT_EQ(nodes.atom, (Atoms{0, 4, 7}));
-  EXPECT_EQ(nodes.is_residue, (std::vector<bool>{false, true, false}));
-  EXPECT_EQ(nodes.of_atom, (Atoms{0, 0, 0, 1, 1, 1, 1, 2, 2}));
+  Structure s = mixed();  // one amino acid alone would be a small molecule
+  test::add_residue(s, "ALA", 4, {{"N", "N", {30, 0, 0}}, {"CA", "C", {31, 0, 0}}}, "A");
+  const ResidueNodes nodes = residue_nodes(s);
+  EXPECT_EQ(nodes.atom, (Atoms{0, 4, 7, 10}));
+  EXPECT_EQ(nodes.is_residue, (std::vector<bool>{false, true, false, true}));
+  EXPECT_EQ(nodes.of_atom, (Atoms{0, 0, 0, 1, 1, 1, 1, 2, 2, 3, 3}));
 }
 
 TEST(AtomWords, AreLabelsWhereOneAtomHasIt) {
