@@ -11,7 +11,7 @@
 namespace pliant {
 namespace select_part_test {
 
-/// Two glycines, a calcium that the file bonds to the first O, a water.
+/// Two glycines, a silicon that the file bonds to the first O, a water.
 constexpr std::string_view text =
     "ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00 10.00           N\n"
     "ATOM      2  CA  GLY A   1       1.450   0.000   0.000  1.00 11.00           C\n"
@@ -19,7 +19,7 @@ constexpr std::string_view text =
     "ATOM      4  O   GLY A   1       1.250   2.390   0.000  1.00 13.00           O\n"
     "ATOM      5  N   GLY A   2       3.330   1.540   0.000  1.00 14.00           N\n"
     "TER\n"
-    "HETATM    6 CA    CA B   1       1.250   4.700   0.000  1.00 15.00          CA\n"
+    "HETATM    6 SI   LIG B   1       1.250   4.020   0.000  1.00 15.00          SI\n"
     "HETATM    7  O   HOH B   2       9.000   9.000   9.000  1.00 16.00           O\n"
     "CONECT    4    6\n";
 
@@ -54,7 +54,7 @@ TEST(SelectPart, TakesAtomsWithAllTheirColumns) {
 
 TEST(SelectPart, NumbersBondsAnew) {
   Messages messages;
-  const Structure part = select_part(whole(), "element O Ca", messages.log());
+  const Structure part = select_part(whole(), "element O Si", messages.log());
   ASSERT_EQ(part.bonds.size(), 1U);
   EXPECT_EQ(part.bonds[0], (Bond{0, 1, BondOrigin::file, 0}));
   EXPECT_EQ(messages.lines, (std::vector<std::string>{"note: select: 3 of 7 atoms", cut}));
