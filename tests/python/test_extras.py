@@ -91,8 +91,6 @@ assert not set(sys.modules) & set({EXTRAS!r})
          'pliant.view needs anywidget: pip install "pliant[notebook]"'),
         ("pliant.from_openmm(None, None)", "openmm",
          'pliant.from_openmm needs OpenMM: pip install "pliant[openmm]"'),
-        ("pliant.constraints_from_openmm(None)", "openmm",
-         'pliant.constraints_from_openmm needs OpenMM: pip install "pliant[openmm]"'),
     ],
 )  # fmt: skip  # a table: a row a line
 def test_python_says_what_is_missing_in_one_line(code, missing, said):

@@ -122,9 +122,8 @@ def test_a_run_knows_its_model(pliant, tmp_path):
         assert file["particles/trajectory/position/value"].shape[1] == 7
 
 
-def test_bars_of_bonds_are_said_to_be_free(pliant, tmp_path):
-    molecule = tmp_path / "his.pdb"
-    molecule.write_text(HISTIDINE)
+def test_bars_of_bonds_are_said_to_be_free(pliant):
+    molecule = Path(__file__).parents[3] / "data/molecules/peptide_20.pdb"
     ended = pliant("run", molecule, "--steps", "1")
     assert ended.code == 0
     assert "note: only bonds are held: angles and planar groups are free" in ended.err
