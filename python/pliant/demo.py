@@ -70,9 +70,9 @@ def _demo(arguments: argparse.Namespace) -> int:
     )
     print(ensemble)
     print("\n".join(_flexibility(structure, ensemble)))
-    _report(output, folder)
+    code = _report(output, folder)
     print("\nYour own molecule:  pliant sample protein.pdb -o ensemble.h5md")
-    return console.EXIT_OK
+    return code
 
 
 def _show(call: str) -> None:
@@ -98,14 +98,14 @@ def _flexibility(structure: pliant.Structure, ensemble: pliant.SampledEnsemble) 
         yield f"  {residue:<8}{moved:5.2f} ± {off:.2f}  {bar}"
 
 
-def _report(ensemble: Path, folder: Path) -> None:
+def _report(ensemble: Path, folder: Path) -> int:
     words = [str(ensemble), "-o", str(folder)]
     _show(f"$ pliant analyse {' '.join(words)}")
     try:
         need("the report", "MDAnalysis", "matplotlib", "scipy", extra="analysis")
     except MissingPackageError as missing:
         print(f"left out: {missing}")
-        return
+        return console.EXIT_OK
     from pliant.analyse import command
 
-    command.main(words)
+    return command.main(words)

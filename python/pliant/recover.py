@@ -95,7 +95,7 @@ def recover(
     _refuse(broken, good, overwrite)
     folder = os.path.dirname(os.path.abspath(good))
     with (
-        new_file(good, overwrite=overwrite) as file,
+        new_file(good, overwrite=overwrite, tells_late=True) as file,
         tempfile.TemporaryDirectory(prefix=f".{os.path.basename(good)}.", dir=folder) as own,
     ):
         copy = os.path.join(own, "broken")

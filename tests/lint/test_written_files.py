@@ -13,7 +13,7 @@ CPP_WAYS = ("src/pliant/text/output_file.cpp", "src/pliant/base/system/")
 WRITES_IN_PYTHON = re.compile(
     r"\bopen\([^)]*[\"'](?:[wxa]b?t?\+?|r\+b?|ab\+)[\"']|\.write_(?:text|bytes)\(|"
     r"\b(?:savefig|print_png|imsave)\((?!file\b)|\bto_csv\(|\bSDWriter\(|\bMDAnalysis\.Writer\(|"
-    r"h5py\.File\((?!new\b|good\b)[^)]*[\"'][wax]|\bnp\.save\w*\((?!file\b)|\.tofile\(|\bto_zarr\(|"
+    r"h5py\.File\((?!new\b|good\b|file\b)[^)]*[\"'][wax]|\bnp\.save\w*\((?!file\b)|\.tofile\(|\bto_zarr\(|"
     r"\bos\.(?:replace|link|rename)\(|\bshutil\.(?:copy\w*|move)\(|\.rename\("
 )
 WRITES_IN_CPP = re.compile(
@@ -41,14 +41,10 @@ EXCEPTIONS = {
     ("_salvage/superblock.py", "open("): "that copy",
     ("lab/experiment/folders.py", ".rename("): "a folder of files, whole before it has its name",
     ("lab/bench/scaling_child.py", "open("): "an order to the kernel",
-    ("lab/peers/gromacs.py", ".write_text("): "a temporary folder",
-    ("lab/peers/gromacs_files.py", "open("): "a temporary folder",
-    ("play/ensemble/thinned.py", "h5py.File("): "a temporary folder",
-    ("_openmm/worker.py", "np.save("): "a temporary folder",
-    ("_openmm/worker.py", "open("): "a temporary folder",
-    ("_openmm/child.py", "np.save("): "a temporary folder",
-    ("_openmm/child.py", ".write_text("): "a temporary folder",
-    ("_openmm/child.py", "open("): "a temporary folder",
+    ("_openmm/worker.py", "np.save("): "a process that may crash: its file is read, or it failed",
+    ("_openmm/worker.py", "open("): "the same",
+    ("_openmm/child.py", ".write_text("): "an empty file",
+    ("_openmm/child.py", "open("): "what another program says",
 }
 
 

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from pliant._core import InputError
+from pliant._output.new_file import new_file, write_text
 
 WORKER = pathlib.Path(__file__).with_name("worker.py")
 TIME_LIMIT = 300.0  #: seconds for one job
@@ -81,7 +82,8 @@ def _write_jobs(folder: pathlib.Path, jobs: Sequence[Job]) -> None:
     def saved(values: np.ndarray) -> str:
         if id(values) not in names:
             names[id(values)] = f"array-{len(names)}.npy"
-            np.save(folder / names[id(values)], values)
+            with new_file(folder / names[id(values)]) as file:
+                np.save(file, values)
         return names[id(values)]
 
     lines = [
@@ -92,7 +94,7 @@ def _write_jobs(folder: pathlib.Path, jobs: Sequence[Job]) -> None:
         }
         for job in jobs
     ]
-    (folder / "jobs.json").write_text(json.dumps(lines))
+    write_text(folder / "jobs.json", json.dumps(lines))
 
 
 def _run_from(

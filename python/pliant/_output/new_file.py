@@ -23,10 +23,11 @@ class NewFile(io.FileIO):
     Libraries that need a name may write to `path`; whoever lets them checks what they made.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, tells_late: bool = False) -> None:
         super().__init__(path, "r+")
         self.path = path
         self.failure: OSError | None = None  #: the first
+        self._tells_late = tells_late
 
     def fileno(self) -> int:
         """Has none to give: errors of C that writes by number would not be heard."""
@@ -40,21 +41,36 @@ class NewFile(io.FileIO):
             while left:
                 left = left[super().write(left) :]
         except OSError as error:
-            self.failure = self.failure or error
-            raise
+            self._fail(error)
         return size
+
+    def truncate(self, size: int | None = None) -> int:
+        """Makes it so long."""
+        try:
+            return super().truncate(size)
+        except OSError as error:
+            self._fail(error)
+            return size or 0
+
+    def _fail(self, error: OSError) -> None:
+        self.failure = self.failure or error
+        if not self._tells_late:
+            raise error
 
 
 @contextmanager
-def new_file(place: str | os.PathLike[str], *, overwrite: bool = False) -> Iterator[NewFile]:
+def new_file(
+    place: str | os.PathLike[str], *, overwrite: bool = False, tells_late: bool = False
+) -> Iterator[NewFile]:
     """A file that takes its name when the block ends well, and is gone otherwise.
 
     Without `overwrite` it never replaces another file, nor one that came to be meanwhile. Raises
-    FileError where the file is there, or not all could be written.
+    FileError where the file is there, or not all could be written; with `tells_late` this is told
+    at the end alone: HDF5 prints what it cannot raise.
     """
     output = OutputFile(Path(place), overwrite=overwrite)
     try:
-        file = NewFile(output.partial)
+        file = NewFile(output.partial, tells_late)
         try:
             with file:
                 yield file

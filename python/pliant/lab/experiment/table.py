@@ -10,6 +10,7 @@ column ``seconds`` is a link to ``seconds.h5``.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -106,8 +107,17 @@ def _number(value: int | float) -> str:
     return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
 
 
+@contextmanager
+def _new_hdf5(path: Path) -> Iterator[h5py.File]:
+    with (
+        new_file(path, overwrite=True, tells_late=True) as new,
+        h5py.File(new, "w", libver="v110") as file,
+    ):
+        yield file
+
+
 def _write_h5(table: Table, path: Path) -> None:
-    with new_file(path, overwrite=True) as new, h5py.File(new, "w", libver="v110") as file:
+    with _new_hdf5(path) as file:
         file.attrs["settings"] = table.settings.text()
         for name in COLUMNS:
             _write_column(file, name, table.columns[name])
@@ -115,7 +125,7 @@ def _write_h5(table: Table, path: Path) -> None:
 
 
 def _write_seconds_h5(table: Table, path: Path) -> None:
-    with new_file(path, overwrite=True) as new, h5py.File(new, "w", libver="v110") as file:
+    with _new_hdf5(path) as file:
         _write_column(file, "seconds", table.columns["seconds"])
 
 

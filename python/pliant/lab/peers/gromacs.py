@@ -24,6 +24,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pliant._output.new_file import write_text
 from pliant.lab.peers.gromacs_files import (
     Setting,
     complaint,
@@ -123,7 +124,7 @@ class Gromacs:
         parameters = parameters_text(
             setting, self._masses, self._push, steps, steps // FRAMES, seed
         )
-        pathlib.Path(self._folder.name, "bars.mdp").write_text(parameters, encoding="ascii")
+        write_text(pathlib.Path(self._folder.name, "bars.mdp"), parameters, overwrite=True)
         try:
             files = {
                 "f": "bars.mdp",

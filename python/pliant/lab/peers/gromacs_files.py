@@ -29,6 +29,8 @@ from typing import BinaryIO
 
 import numpy as np
 
+from pliant._output.new_file import write_text
+
 BOLTZMANN = 0.00831446261815324  #: kJ/(mol K)
 TETHER = 0.5  #: a above
 MARGIN = 0.5  #: nm of nothing around the molecule, and ten pushes more
@@ -192,5 +194,4 @@ def write_input(
 
 
 def _write(folder: str | os.PathLike[str], name: str, text: str) -> None:
-    with open(os.path.join(folder, name), "w", encoding="ascii", newline="\n") as file:
-        file.write(text)
+    write_text(os.path.join(folder, name), text, overwrite=True)

@@ -9,6 +9,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from pliant._output.new_file import new_file
+
 LEFT_OUT = ("parameters/checkpoint", "parameters/sterics")  #: which the page has no use for
 
 
@@ -20,7 +22,11 @@ def write_thinned(
     positions: gives (N, 3) of a frame, Angstrom. `source` may be one of several files that share
     the frames; then observables, which would be of this one alone, are left out.
     """
-    with h5py.File(source) as old, h5py.File(output, "w") as new:
+    with (
+        h5py.File(source) as old,
+        new_file(output, tells_late=True) as file,
+        h5py.File(file, "w") as new,
+    ):
         groups = old["particles"]
         name = next(one for one in groups if "position" in groups[one])
         place = f"particles/{name}/position"
