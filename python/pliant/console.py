@@ -238,8 +238,8 @@ def run_command(command: str, work: Callable[[], int]) -> int:
         print(f"pliant {command}: error: {printable(str(error))}", file=sys.stderr)
         return EXIT_USAGE
     except (Error, OSError) as error:
-        is_of_stdout = isinstance(error, OSError) and error.filename is None
-        if is_of_stdout and error.errno in (errno.EPIPE, *NO_ROOM):
+        lost = isinstance(error, OSError) and error.errno in (errno.EPIPE, *NO_ROOM)
+        if lost and getattr(error, "filename", None) is None:  # standard output
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if not isinstance(error, BrokenPipeError):  # the reader of our output has gone
             print(f"pliant {command}: error: {printable(_text_of(error))}", file=sys.stderr)
