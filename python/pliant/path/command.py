@@ -74,7 +74,7 @@ def make_parser() -> console.Parser:
     add(
         "-o", "--output", metavar="FILE", required=True, help="H5MD trajectory or PDB file to write"
     )
-    add("--select", metavar="SELECTION", help='part of START to move, such as "chain A"')
+    add("--select", metavar="SELECTION", help='part of START to move, such as "chainID A"')
     console.add_rows(parser, path_rows(), {"backtrack": ATTEMPTS})
     add("--csv", metavar="FILE", help="also write the table of frames")
     add("--overwrite", action="store_true", help="replace existing outputs")

@@ -122,7 +122,7 @@ std::string arrangement_note(const MatchedPoints& points, const std::vector<std:
   if (together < least_of_all || alone > much_better * together) return {};
   return "chains " + names + " are arranged differently in the two structures: superposed all " +
          "together they are " + number_text(rounded(together)) + " Angstrom apart, one by one " +
-         number_text(rounded(alone)) + "; --select \"chain " + by_chain.begin()->first +
+         number_text(rounded(alone)) + "; --select \"chainID " + by_chain.begin()->first +
          "\" follows one";
 }
 

@@ -239,9 +239,9 @@ def test_chains_that_are_arranged_differently_are_told_and_one_can_be_chosen(
     assert note == (
         "chains A, B are arranged differently in the two structures: superposed all together they "
         f"are {round(fitted(*carbons), 2):g} Angstrom apart, one by one 0; "
-        '--select "chain A" follows one'
+        '--select "chainID A" follows one'
     )
-    assert main(["a.pdb", "b.pdb", "-o", "p.h5md", "--select", "chain A"]) == 0
+    assert main(["a.pdb", "b.pdb", "-o", "p.h5md", "--select", "chainID A"]) == 0
     assert "are arranged differently" not in capsys.readouterr().out
 
 
