@@ -2,6 +2,7 @@
 // The class Structure: columns of atoms as numpy arrays.
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "arrays.hpp"
 #include "checks.hpp"
@@ -12,6 +13,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/aromaticity.hpp"
 #include "pliant/molecule/drawing.hpp"
+#include "pliant/molecule/structure/residue_order.hpp"
 #include "texts.hpp"
 
 namespace pliant::python {
@@ -34,6 +36,15 @@ std::vector<std::int64_t> residue_ids_of(const Structure& self) {
   for (std::uint32_t residue : self.atoms.residue_of)
     ids.push_back(self.atoms.residues[residue].number);
   return ids;
+}
+
+std::vector<std::int64_t> source_order_of(const Structure& self) {
+  std::vector<std::int64_t> order(self.source_order.begin(), self.source_order.end());
+  if (order.empty()) {
+    order.resize(self.size());
+    std::iota(order.begin(), order.end(), std::int64_t{0});
+  }
+  return order;
 }
 
 std::vector<double> masses_of(const Structure& self) {
@@ -101,6 +112,19 @@ void bind_atoms(nb::class_<Structure>& structure) {
             std::span<const std::int64_t>(nb::cast<const Structure&>(self).atoms.serials), self);
       },
       "(N,) int64, read-only view: the number of each atom in the file.");
+  structure.def_prop_ro(
+      "source_order", [](const Structure& self) { return array_of(source_order_of(self)); },
+      nb::rv_policy::reference,
+      "(N,) int64: where each atom stands in the file or object that the structure was read or "
+      "made "
+      "from, counted among those that it has. It has another order where atoms of one residue "
+      "stand "
+      "apart there.");
+  structure.def(
+      "gather_residues", [](Structure& self) { gather_residues(self, python_log()); },
+      "Puts the atoms of each residue together: those that agree in chain, residue number, "
+      "insertion code and residue name, unless names of heavy atoms repeat. ``source_order`` then "
+      "tells where they stood.");
   structure.def_prop_ro(
       "b_factors",
       [](nb::handle_t<Structure> self) {

@@ -146,7 +146,8 @@ class FramesOfUniverse:
         trajectory = self._atoms.universe.trajectory
         before = trajectory.frame
         shown = trajectory[frame]
-        found = self._atoms.positions.astype(np.float64), shown.frame, float(shown.time)
+        positions = self._atoms.positions.astype(np.float64)[self.structure.source_order]
+        found = positions, shown.frame, float(shown.time)
         trajectory[before]
         return found
 

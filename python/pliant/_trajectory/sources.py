@@ -89,7 +89,7 @@ def _adapter(name: str) -> Callable[[Any], Any]:
 
 def _frames(name: str) -> Callable[[Any, Structure], Any]:
     call = _adapter(name)
-    return lambda given, structure: call(given)
+    return lambda given, structure: call(given)[:, structure.source_order]
 
 
 def _first(given: Any, structure: Structure) -> Any:

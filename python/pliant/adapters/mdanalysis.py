@@ -60,6 +60,7 @@ def from_mdanalysis(
         bond_orders=orders,
     )
     structure.cell = _cell(group)
+    structure.gather_residues()
     if perceive_bonds or (perceive_bonds is None and bonds is None):
         structure.perceive_bonds()
     else:

@@ -44,6 +44,7 @@ def from_mdtraj(trajectory: mdtraj.Trajectory) -> Structure:
         bonds=[(a.index, b.index) for a, b in bonds] or None,
         bond_orders=[int(bond.order or 0) for bond in bonds] if bonds else None,
     )
+    structure.gather_residues()
     if not bonds:
         structure.perceive_bonds()
     return structure

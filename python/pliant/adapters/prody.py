@@ -44,6 +44,7 @@ def from_prody(atoms: prody.AtomGroup) -> Structure:
         bonds=bonds,
         title=str(getattr(atoms, "getTitle", str)()),
     )
+    structure.gather_residues()
     structure.perceive_bonds(guess_distances=bonds is None)  # ProDy knows no orders of bonds
     return structure
 

@@ -53,7 +53,7 @@ def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
     atoms = list(molecule.GetAtoms())
     places = [_place(atom) for atom in atoms]
     bonds = list(molecule.GetBonds())
-    return Structure(
+    structure = Structure(
         molecule.GetConformer(conformer).GetPositions(),
         elements=[atom.GetAtomicNum() for atom in atoms],
         names=[name for name, *_ in places],
@@ -66,6 +66,8 @@ def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
         charges=[atom.GetFormalCharge() for atom in atoms],
         title=molecule.GetProp("_Name") if molecule.HasProp("_Name") else "",
     )
+    structure.gather_residues()
+    return structure
 
 
 def rdkit_frames(molecule: Mol) -> npt.NDArray[np.float64]:
@@ -205,6 +207,9 @@ def _warn_of_implicit_hydrogens(molecule: Mol) -> None:
 def _place(atom: Any) -> tuple[str, str, int, str, str]:
     """Name, residue name and number, insertion code and chain."""
     known = atom.GetPDBResidueInfo()
+    if known is None and atom.GetAtomicNum() == 1 and atom.GetDegree() == 1:
+        _, *residue = _place(atom.GetNeighbors()[0])  # of a hydrogen that RDKit has added
+        return "H", *residue
     if known is None:
         symbol = atom.GetSymbol() if atom.GetAtomicNum() else "X"
         return symbol, "UNK", 1, "", ""

@@ -111,7 +111,7 @@ TEST_F(TopologyPdbTest, OurReaderReadsItBack) {
   std::vector<Vec3> positions;
   std::vector<RecordedBond> bonds;
   for (std::size_t i = 0; i < count; ++i) {
-    atoms.names[i] = i % 2 ? "C1" : "C2";
+    atoms.names[i] = "C" + std::to_string(i % 9);
     atoms.residue_of[i] = static_cast<std::uint32_t>(i / 9);
     positions.push_back({double(i % 1000), double(i / 1000), 0.125});
     if (i > 0) bonds.push_back({Joint(i - 1), Joint(i), 0, 1});

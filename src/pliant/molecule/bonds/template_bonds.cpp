@@ -30,17 +30,24 @@ class TemplateStep {
     finish_unit(last);
   }
 
-  /// Puts an atom where its name says; a name met before begins a new piece.
+  /// Puts an atom where its name says; a name met before begins a new piece. Hydrogens that share a
+  /// name, as programs that add them may call all of them H, have none: distances decide.
   void place(std::uint32_t atom) {
     const int slot = piece_.shape->find(p_.keys[atom]);
     if (slot == ResidueTemplate::none || p_.excluded[atom]) return;
+    const std::uint32_t before = atom_at_[slot];
     p_.settled[atom] = true;
-    if (atom_at_[slot] != none) {
-      if (lies_on(atom, atom_at_[slot])) return;
-      finish_unit(atom);
+    if (before != none && lies_on(atom, before)) return;
+    if (before != none && is_hydrogen(atom)) {
+      p_.settled[before] = p_.settled[atom] = false;
+      shared_.push_back(slot);
+      return;
     }
+    if (before != none) finish_unit(atom);
     atom_at_[slot] = atom;
   }
+
+  bool is_hydrogen(std::uint32_t atom) const { return p_.structure.atoms.elements[atom] == 1; }
 
   bool lies_on(std::uint32_t atom, std::uint32_t earlier) {
     if (p_.length(atom, earlier) > p_.options.shortest) return false;
@@ -52,6 +59,8 @@ class TemplateStep {
   void finish_unit(std::uint32_t last) {
     piece_.last = last;
     p_.pieces.push_back(piece_);
+    for (const int slot : shared_) atom_at_[slot] = none;
+    shared_.clear();
     for (const ResidueTemplate::Edge& edge : piece_.shape->edges)
       if (atom_at_[edge.a] != none && atom_at_[edge.b] != none)
         add_bond(atom_at_[edge.a], atom_at_[edge.b], edge.order);
@@ -77,6 +86,7 @@ class TemplateStep {
   Perception& p_;
   ResiduePiece piece_;
   std::vector<std::uint32_t> atom_at_;  ///< by the template's numbers
+  std::vector<int> shared_;             ///< numbers of hydrogens that share a name
 };
 
 }  // namespace

@@ -63,6 +63,9 @@ struct Structure {
   std::vector<std::string> assemblies;  ///< names of the biological assemblies in the file
   std::optional<Cell> cell;             ///< periodic cell, if known
   std::uint8_t dimensions = 0;          ///< 2 or 3 if the file says so (SDF), else 0
+  /// (N) where each atom stands in the file or list that they are from, counted among the atoms
+  /// that are here; empty: in this order
+  std::vector<std::uint32_t> source_order;
 
   std::size_t size() const { return positions.size(); }
 };

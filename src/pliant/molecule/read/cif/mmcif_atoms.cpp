@@ -166,17 +166,17 @@ void AtomSiteReader::take_residue(std::size_t row) {
   const bool same =
       !atoms.residues.empty() && words == words_ && !(words.number.empty() && name == first_name_);
   if (!same) {
-    if (!atoms.residues.empty() && columns_.instance.index)
-      sites_.structure.chain_end.push_back(words.instance != words_.instance);
     const std::string_view residue = words.residue.empty() ? "UNK" : words.residue;
     atoms.residues.push_back({std::string(residue), residue_number(row, words),
                               words.insertion.empty() ? ' ' : words.insertion[0],
                               std::string(words.chain)});
     words_ = words;
     first_name_ = name;
+    take_instance();
   }
   atoms.names.emplace_back(name);
   atoms.residue_of.push_back(static_cast<std::uint32_t>(atoms.residues.size() - 1));
+  if (columns_.instance.index) sites_.instance_of.push_back(sites_.sections.back());
 }
 
 std::uint8_t AtomSiteReader::element(std::size_t row) {
@@ -248,20 +248,22 @@ void AtomSiteReader::take_charge(std::size_t row) {
   sites_.structure.charges.back() = static_cast<std::int8_t>(*charge);
 }
 
-/// Takes the residue's instance.
+/// Takes the instance of a new run, which is its section, too.
 void AtomSiteReader::take_instance() {
+  sites_.unnumbered.push_back(words_.number.empty());
   if (!columns_.instance.index) return;
   const auto next = static_cast<std::uint32_t>(instances_.size());
   const auto [at, is_new] = instances_.emplace(words_.instance, next);
   if (is_new) sites_.instances.emplace_back(words_.instance);
-  sites_.instance_of.push_back(at->second);
+  sites_.segments.push_back(words_.instance);
+  sites_.sections.push_back(at->second);
+  sites_.ended_sections = static_cast<std::uint32_t>(instances_.size());
 }
 
 void AtomSiteReader::take(std::size_t row) {
   line_ = lines_(table_.at(row, 0));
   sites_.structure.positions.push_back(position(row));
   take_residue(row);
-  take_instance();
   sites_.structure.atoms.serials.push_back(serial(row));
   sites_.structure.atoms.elements.push_back(element(row));
   sites_.conformers.push_back(conformer(row));
@@ -279,7 +281,6 @@ AtomSites AtomSiteReader::read(std::size_t wanted, std::size_t& model_count) {
   model_count = models_.size();
   Structure& structure = sites_.structure;
   if (!structure.charges.empty()) structure.charges.resize(structure.size(), 0);
-  if (columns_.instance.index && structure.size() > 0) structure.chain_end.push_back(true);
   return std::move(sites_);
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/number.hpp"
@@ -88,19 +89,22 @@ void PdbReader::reserve(std::size_t count) {
   sites_.lines.reserve(count);
 }
 
-/// A new residue begins where columns 18-27 (name, chain, number, insertion code) or the segment
+/// A new run begins where columns 18-27 (name, chain, number, insertion code) or the segment
 /// change, or where an overflowed number hides it: with the name of the residue's first atom.
 void PdbReader::take_residue(const PdbLine& line) {
   AtomTable& atoms = sites_.structure.atoms;
   const std::string_view name = trimmed(columns(line.text, 13, 16));
   const std::string_view before = residue_columns_;
   const bool same = !before.empty() && columns(line.text, 18, 30) == columns(before, 18, 30) &&
-                    columns(line.text, 73, 76) == columns(before, 73, 76) &&
+                    pdb_segment(line.text) == pdb_segment(before) &&
                     !(has_starred_residue(line.text) && name == first_name_);
   if (!same) {
     static const Residue none{"", 0, ' ', ""};
     const Residue& previous = atoms.residues.empty() ? none : atoms.residues.back();
     atoms.residues.push_back(pdb_residue(line, previous, remarks_));
+    sites_.segments.push_back(pdb_segment(line.text));
+    sites_.sections.push_back(sites_.ended_sections);
+    sites_.unnumbered.push_back(has_starred_residue(line.text));
     first_name_ = name;
     residue_columns_ = line.text;
   }
@@ -135,9 +139,7 @@ void PdbReader::take_ter(const PdbLine& line) {
   if (!models_.in_wanted()) return;
   if (const auto serial = parse_hybrid36(columns(line.text, 7, 11)))
     ter_serials_.push_back(*serial);
-  auto& structure = sites_.structure;
-  structure.chain_end.resize(structure.atoms.residues.size(), false);
-  if (!structure.chain_end.empty()) structure.chain_end.back() = true;
+  ++sites_.ended_sections;
   residue_columns_ = {};
 }
 
@@ -198,9 +200,8 @@ void PdbReader::finish_bonds() {
   }
   const std::vector<std::uint32_t> atom = choose_atoms(sites_, remarks_);
   for (Bond bond : bonds) {
-    bond.a = atom[bond.a];
-    bond.b = atom[bond.b];
-    if (bond.a != left_out && bond.b != left_out) sites_.structure.bonds.push_back(bond);
+    std::tie(bond.a, bond.b) = std::minmax({atom[bond.a], atom[bond.b]});
+    if (bond.b != left_out) sites_.structure.bonds.push_back(bond);
   }
   add_stated_links(sites_, pdb_links(link_records_, remarks_), remarks_);
   sort_bonds(sites_.structure.bonds);
@@ -224,8 +225,6 @@ Structure PdbReader::read() {
   models_.tell_of_unequal(remarks_);
   take_title_of_prediction(structure);
   if (!structure.charges.empty()) structure.charges.resize(structure.size(), 0);
-  if (!structure.chain_end.empty())
-    structure.chain_end.resize(structure.atoms.residues.size(), false);
   finish_bonds();
   warn_of_placeholders(sites_, remarks_);
   add_assembly();

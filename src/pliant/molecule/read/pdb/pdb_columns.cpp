@@ -144,6 +144,13 @@ Residue pdb_residue(const PdbLine& line, const Residue& previous, Remarks& remar
   return residue;
 }
 
+std::string_view pdb_segment(std::string_view line) {
+  const std::string_view field = trimmed(columns(line, 73, 76));
+  const auto fits = [](char c) { return c > ' ' && c < '\x7f' && c != '.' && c != ','; };
+  const bool runs_in = is_digit(column(line, 72)) || column(line, 72) == '.';
+  return !runs_in && std::all_of(field.begin(), field.end(), fits) ? field : std::string_view();
+}
+
 float pdb_occupancy(const PdbLine& line, Remarks& remarks) {
   const std::string_view occupancy = columns(line.text, 55, 60);
   const std::string_view b_factor = columns(line.text, 61, 66);

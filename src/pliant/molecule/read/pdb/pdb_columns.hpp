@@ -39,6 +39,10 @@ PdbNames pdb_names(std::string_view line, std::size_t first);
 /// "****".
 Residue pdb_residue(const PdbLine& line, const Residue& previous, Remarks& remarks);
 
+/// Segment (columns 73-76, segid) where that is one: letters and digits, as neither charges nor
+/// numbers that run into these columns are. "" for none.
+std::string_view pdb_segment(std::string_view line);
+
 /// Occupancy (columns 55-60); 1 where it is blank; 1 with a warning where it is not a number. Also
 /// warns of an invalid B factor (columns 61-66): renamed PQR files have both.
 float pdb_occupancy(const PdbLine& line, Remarks& remarks);

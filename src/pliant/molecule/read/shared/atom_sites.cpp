@@ -10,6 +10,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/molecule/read/shared/conformers.hpp"
 #include "pliant/molecule/read/shared/element_of_name.hpp"
+#include "pliant/molecule/read/shared/gathering.hpp"
 #include "pliant/molecule/structure/residue_templates.hpp"
 
 namespace pliant {
@@ -165,8 +166,7 @@ void drop_repeats(const AtomSites& sites, std::vector<bool>& keep, Remarks& rema
   }
 }
 
-/// Residues that lose all atoms go; where that makes two parts of one residue neighbours (as its
-/// atoms alternated with those of another name at its place) they become one.
+/// Residues that lose all atoms go.
 std::vector<std::uint32_t> keep_residues(Structure& structure, const std::vector<bool>& keep) {
   const auto& residue_of = structure.atoms.residue_of;
   auto& residues = structure.atoms.residues;
@@ -176,12 +176,8 @@ std::vector<std::uint32_t> keep_residues(Structure& structure, const std::vector
   std::vector<std::uint32_t> new_index(residues.size(), 0);
   std::uint32_t count = 0;
   for (std::size_t r = 0; r < residues.size(); ++r) {
-    const bool gap = r > 0 && !used[r - 1];
-    const bool joins = gap && count > 0 && used[r] && residues[count - 1] == residues[r];
-    if (used[r] && !joins) {
-      if (count != r) residues[count] = std::move(residues[r]);
-      ++count;
-    }
+    if (used[r] && count != r) residues[count] = std::move(residues[r]);
+    count += used[r];
     new_index[r] = count == 0 ? 0 : count - 1;
   }
   residues.resize(count);
@@ -232,15 +228,22 @@ void keep_atoms(AtomSites& sites, const std::vector<bool>& keep,
 }  // namespace
 
 std::vector<std::uint32_t> choose_atoms(AtomSites& sites, Remarks& remarks) {
+  std::vector<std::uint32_t> listed = gather_residues(sites, remarks);
+  if (listed.empty()) {
+    listed.resize(sites.size());
+    std::iota(listed.begin(), listed.end(), std::uint32_t{0});
+  }
   std::vector<bool> keep(sites.size(), true);
   drop_dummies(sites, keep, remarks);
   drop_conformers(sites, keep, remarks);
   drop_repeats(sites, keep, remarks);
-  std::vector<std::uint32_t> index(sites.size(), left_out);
+  std::vector<std::uint32_t> kept(sites.size(), left_out), index(sites.size(), left_out);
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < keep.size(); ++i)
-    if (keep[i]) index[i] = count++;
-  if (count < sites.size()) keep_atoms(sites, keep, index);
+    if (keep[i]) index[listed[i]] = kept[i] = count++;
+  if (count < sites.size()) keep_atoms(sites, keep, kept);
+  keep_rows(listed, kept);
+  tell_of_order(sites, listed, remarks);
   return index;
 }
 
