@@ -55,7 +55,6 @@ constexpr auto extensions = std::to_array<Extension>({
     {".mol2", "MOL2"},
     {".nc", "NetCDF"},
     {".parm7", "AMBER"},
-    {".pdbqt", "AutoDock"},
     {".pqr", "PQR"},
     {".prmtop", "AMBER"},
     {".psf", "CHARMM or NAMD"},

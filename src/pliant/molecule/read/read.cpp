@@ -20,14 +20,15 @@
 namespace pliant {
 namespace {
 
-constexpr std::array<std::string_view, 2> pdb_extensions{".pdb", ".ent"};
+constexpr std::array<std::string_view, 3> pdb_extensions{".pdb", ".ent", ".pdbqt"};
 constexpr std::array<std::string_view, 4> sdf_extensions{".sdf", ".sd", ".mol", ".mdl"};
 constexpr std::array<std::string_view, 3> mmcif_extensions{".cif", ".mmcif", ".mcif"};
 constexpr std::array<std::string_view, 2> xyz_extensions{".xyz", ".extxyz"};
 
 // Looked through by content in this order: XYZ last, as a number on the first line says least.
 const std::array<Format, 4> table{{
-    {"pdb", "Protein Data Bank, fixed columns", pdb_extensions, looks_like_pdb, read_pdb},
+    {"pdb", "Protein Data Bank, fixed columns, and PDBQT", pdb_extensions, looks_like_pdb,
+     read_pdb},
     {"mmcif", "PDBx/mmCIF", mmcif_extensions, looks_like_mmcif, read_mmcif},
     {"sdf", "MDL molfile and SDF, V2000 and V3000", sdf_extensions, looks_like_sdf, read_sdf},
     {"xyz", "XYZ and extended XYZ", xyz_extensions, looks_like_xyz, read_xyz},
@@ -72,6 +73,7 @@ const Format* format_by_content(std::string_view text) {
 const Format& format_of(const SourceText& source, std::string_view wanted) {
   if (!wanted.empty()) return choose(table, "format", wanted);
   if (const Format* format = format_by_extension(source.name)) return *format;
+  if (extension_of(source.name) == ".pqr") fail_unknown(source.name);  // it looks like PDB
   if (const Format* format = format_by_content(source.text)) return *format;
   fail_unknown(source.name);
 }

@@ -12,6 +12,7 @@
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/words.hpp"
 #include "pliant/molecule/read/pdb/hybrid36.hpp"
 #include "pliant/molecule/read/pdb/pdb_assembly.hpp"
 #include "pliant/molecule/read/pdb/pdb_cell.hpp"
@@ -38,11 +39,24 @@ bool is_atom_record(std::string_view line) {
   return line.starts_with("ATOM") && fits(5) && fits(6);
 }
 
+/// The first ATOM or HETATM record, with its number; number 0 for none.
+PdbLine first_atom(std::string_view text) {
+  Lines lines(text);
+  while (lines.next())
+    if (is_atom_record(lines.line())) return {lines.line(), lines.number()};
+  return {{}, 0};
+}
+
 /// Reads one model of a PDB file, line by line.
 class PdbReader {
  public:
   PdbReader(const SourceText& source, const ReadOptions& options, Remarks& remarks)
-      : source_(source), options_(options), remarks_(remarks), models_(options.model) {
+      : source_(source),
+        options_(options),
+        remarks_(remarks),
+        is_pdbqt_(is_pdbqt_atom(first_atom(source.text).text)),
+        models_(options.model),
+        elements_(is_pdbqt_) {
     constexpr std::size_t bytes_per_atom = 81;
     reserve(source.text.size() / bytes_per_atom + 1);
   }
@@ -51,6 +65,7 @@ class PdbReader {
 
  private:
   void reserve(std::size_t count);
+  void refuse_pqr() const;
   void take(const PdbLine& line);
   void take_atom(const PdbLine& line);
   void take_residue(const PdbLine& line);
@@ -65,6 +80,7 @@ class PdbReader {
   const SourceText& source_;
   const ReadOptions& options_;
   Remarks& remarks_;
+  bool is_pdbqt_;
   PdbModels models_;
   PdbSerials serials_;
   PdbElements elements_;
@@ -113,6 +129,7 @@ void PdbReader::take_residue(const PdbLine& line) {
 }
 
 void PdbReader::take_charge(const PdbLine& line) {
+  if (is_pdbqt_) return;
   const bool has_element = element_number(trimmed(columns(line.text, 77, 78))) != 0;
   const std::int8_t charge = has_element ? pdb_charge(line, remarks_) : std::int8_t{0};
   auto& charges = sites_.structure.charges;
@@ -216,7 +233,30 @@ void PdbReader::add_assembly() {
   sites_.structure.cell.reset();  // the copies leave it
 }
 
+/// PQR has words, not columns: after x, y and z a charge and a radius, with more digits than the
+/// occupancy and the B factor of PDB files.
+void PdbReader::refuse_pqr() const {
+  const PdbLine line = first_atom(source_.text);
+  const Words words = words_of(line.text);
+  constexpr std::size_t of_pdb = 2;  // decimals
+  std::size_t reals = 0, decimals = 0;
+  for (auto word = words.rbegin(); word != words.rend(); ++word, ++reals) {
+    const std::size_t point = word->find('.');
+    if (point == std::string_view::npos || !parse_real(*word)) break;
+    if (reals < 2) decimals = std::max(decimals, word->size() - point - 1);
+  }
+  if (reals != 5 || decimals <= of_pdb) return;
+  fail(remarks_.place(line.number),
+       "PQR is not read: a charge and a radius where a PDB file has occupancy and B factor; "
+       "expected the PDB file that it was made from");
+}
+
 Structure PdbReader::read() {
+  refuse_pqr();
+  if (is_pdbqt_)
+    remarks_.note(
+        "the content is PDBQT: elements are those of AutoDock types, partial charges are "
+        "left out");
   Lines lines(source_.text);
   while (lines.next()) take({lines.line(), lines.number()});
   if (models_.count() == 0) fail_without_atoms(lines.number());
@@ -235,10 +275,10 @@ Structure PdbReader::read() {
 
 bool looks_like_pdb(std::string_view text) {
   constexpr auto first_records = std::to_array<std::string_view>(
-      {"ATOM",   "AUTHOR", "CAVEAT", "COMPND", "CONECT", "CRYST1", "DBREF",
-       "EXPDTA", "HEADER", "HELIX",  "HETATM", "JRNL",   "KEYWDS", "LINK",
-       "MODEL",  "NUMMDL", "OBSLTE", "ORIGX1", "REMARK", "REVDAT", "SCALE1",
-       "SEQRES", "SHEET",  "SOURCE", "SPLIT",  "SSBOND", "TITLE",  "USER"});
+      {"ATOM",   "AUTHOR", "CAVEAT", "COMPND", "CONECT", "CRYST1", "DBREF",  "EXPDTA",
+       "HEADER", "HELIX",  "HETATM", "JRNL",   "KEYWDS", "LINK",   "MODEL",  "NUMMDL",
+       "OBSLTE", "ORIGX1", "REMARK", "REVDAT", "ROOT",   "SCALE1", "SEQRES", "SHEET",
+       "SOURCE", "SPLIT",  "SSBOND", "TITLE",  "USER"});
   Lines lines(text);
   while (lines.next() && trimmed(lines.line()).empty()) {
   }
