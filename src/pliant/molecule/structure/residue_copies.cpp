@@ -240,16 +240,27 @@ class Gathering {
 
   bool is_heavy(std::uint32_t atom) const { return listed_.atoms.elements[atom] != hydrogen; }
 
-  /// Whether each has the first heavy atom of all, as copies one after another have.
+  /// Whether each has the first heavy atom of all, and no more hydrogens than are its own, as
+  /// copies one after another have.
   bool each_is_whole(std::span<const Unit> members) const {
     std::uint32_t first = members[0].first;
     while (first < members[0].last && !is_heavy(first)) ++first;
     if (first == members[0].last) return false;
     return std::ranges::all_of(members, [&](const Unit& unit) {
       for (std::uint32_t atom = unit.first; atom < unit.last; ++atom)
-        if (is_heavy(atom) && atom_name(listed_, atom) == atom_name(listed_, first)) return true;
+        if (is_heavy(atom) && atom_name(listed_, atom) == atom_name(listed_, first))
+          return !has_hydrogens_of_others(unit);
       return false;
     });
+  }
+
+  bool has_hydrogens_of_others(const Unit& unit) const {
+    std::vector<AtomName> names;
+    for (std::uint32_t atom = unit.first; atom < unit.last; ++atom)
+      if (!is_heavy(atom) && listed_.atoms.names[atom].size() > 1)
+        names.push_back(atom_name(listed_, atom));
+    std::sort(names.begin(), names.end());
+    return std::adjacent_find(names.begin(), names.end()) != names.end();
   }
 
   bool no_name_comes_twice(std::span<const Unit> members) const {

@@ -23,6 +23,7 @@ enum class Part : std::uint8_t { polymer, water, other };
 struct Strand {
   std::optional<std::uint32_t> first;  // residue
   std::vector<std::uint32_t> polymer;
+  bool is_apart = false;        // heavy atoms of a residue do not stand together
   bool is_interrupted = false;  // others stand between two neighbours
   bool is_shuffled = false;
 };
@@ -30,8 +31,17 @@ struct Strand {
 class StrandOrder {
  public:
   /// `leaders`: an atom of each residue, in the order of first atoms.
-  StrandOrder(const ListedResidues& listed, const std::vector<std::uint32_t>& leaders)
-      : listed_(listed), leaders_(leaders), is_inside_(leaders.size(), false) {}
+  StrandOrder(const ListedResidues& listed, const std::vector<std::uint32_t>& leader,
+              const std::vector<std::uint32_t>& leaders)
+      : listed_(listed),
+        leaders_(leaders),
+        is_apart_(leader.size(), false),
+        is_inside_(leaders.size(), false) {
+    constexpr std::uint8_t hydrogen = 1;
+    for (std::size_t i = 1; i < leader.size(); ++i)
+      if (leader[i] != i && leader[i] != leader[i - 1] && listed.atoms.elements[i] != hydrogen)
+        is_apart_[leader[i]] = true;
+  }
 
   /// (R) residues in order; empty if they are in order as they stand.
   std::vector<std::uint32_t> run() {
@@ -78,6 +88,7 @@ class StrandOrder {
   void take(Strand& strand, std::uint32_t r) {
     if (!strand.first) strand.first = r;
     if (parts_of_[r] != Part::polymer) return;
+    strand.is_apart |= is_apart_[leaders_[r]];
     const std::uint32_t before = strand.polymer.empty() ? r : strand.polymer.back();
     strand.polymer.push_back(r);
     if (before + 1 >= r || !follow(before, r)) return;
@@ -100,10 +111,12 @@ class StrandOrder {
     return std::abs(residue(other).number - residue(one).number) <= 1;
   }
 
-  std::size_t steps_out_of(const std::vector<std::uint32_t>& residues) const {
+  std::size_t steps_out_of(const Strand& strand, const std::vector<std::uint32_t>& residues) const {
     std::size_t count = 0;
-    for (std::size_t k = 1; k < residues.size(); ++k)
-      count += !follow(residues[k - 1], residues[k]);
+    for (std::size_t k = 1; k < residues.size(); ++k) {
+      const bool back = residue(residues[k]).number < residue(residues[k - 1]).number;
+      count += !follow(residues[k - 1], residues[k]) || (strand.is_apart && back);
+    }
     return count;
   }
 
@@ -114,13 +127,15 @@ class StrandOrder {
            std::tie(other.number, other.insertion_code, q);
   }
 
+  /// Whether sorting by number would mend most of it; all of it counts where atoms are mixed, too.
   bool is_shuffled(const Strand& strand) const {
-    const std::size_t out = steps_out_of(strand.polymer);
-    if (2 * out < strand.polymer.size()) return false;
+    const std::size_t out = steps_out_of(strand, strand.polymer);
+    if (out == 0 || (!strand.is_apart && 2 * out < strand.polymer.size())) return false;
     std::vector<std::uint32_t> by_number = strand.polymer;
     std::sort(by_number.begin(), by_number.end(),
               [&](std::uint32_t p, std::uint32_t q) { return is_before(p, q); });
-    return 2 * steps_out_of(by_number) < out;
+    const std::size_t left = steps_out_of(strand, by_number);
+    return strand.is_apart ? left < out : 2 * left < out;
   }
 
   /// Strands that change stand where their first residue does, what was between their neighbours
@@ -148,6 +163,7 @@ class StrandOrder {
   std::vector<Strand> strands_;
   std::vector<std::uint32_t> strand_of_;  // (R)
   std::vector<Part> parts_of_;            // (R)
+  std::vector<bool> is_apart_;            // (N) of the first atom of a residue
   std::vector<bool> is_inside_;           // (R) between neighbours of a polymer
   std::unordered_map<std::string_view, Part> parts_;
   std::tuple<std::uint32_t, std::string_view, std::string_view> last_key_;
@@ -169,7 +185,7 @@ ResidueOrder order_residues(const ListedResidues& listed) {
   ResidueOrder made;
   made.by_distance = std::move(copies.by_distance);
   made.leaders = leaders_of(copies);
-  const std::vector<std::uint32_t> sorted = StrandOrder(listed, made.leaders).run();
+  const std::vector<std::uint32_t> sorted = StrandOrder(listed, copies.leader, made.leaders).run();
   if (!sorted.empty()) {
     std::vector<std::uint32_t> leaders;
     for (const std::uint32_t r : sorted) leaders.push_back(made.leaders[r]);

@@ -22,8 +22,8 @@ struct ResidueOrder {
 /// Puts the atoms of each residue (residue_copies) one after another, in the order of the list, and
 /// residues in the order of their first atoms. Two things change that: where waters or other chains
 /// stand between neighbours of a polymer, these are put together; where more than half of its
-/// residues do not follow each other's numbers, and would if sorted, it is sorted by number and
-/// insertion code. Linear, but for what is shuffled.
+/// residues do not follow each other's numbers, and would if sorted, or heavy atoms of different
+/// residues are mixed, it is sorted by number and insertion code. Linear, but for what is shuffled.
 ResidueOrder order_residues(const ListedResidues& listed);
 
 /// Moves one column of N atoms; an empty one stays empty.

@@ -102,11 +102,13 @@ std::string full_label(const AtomTable& atoms, std::size_t atom) {
   return text + ":" + atoms.names[atom];
 }
 
-/// Whether the atom has no name but its element, as molecules of XYZ files: nobody would look it up
-/// by that. In a standard residue "C" is a name.
+/// Whether the atom has no name but its element, as molecules of XYZ files, and as hydrogens that
+/// programs add: nobody would look it up by that. In a standard residue "C" is a name.
 bool is_bare_symbol(const AtomTable& atoms, std::size_t atom) {
-  return element_number(atoms.names[atom]) == atoms.elements[atom] &&
-         !is_standard_residue(atoms.residues[atoms.residue_of[atom]].name);
+  constexpr std::uint8_t hydrogen = 1;
+  const std::uint8_t element = atoms.elements[atom];
+  return element_number(atoms.names[atom]) == element &&
+         (element == hydrogen || !is_standard_residue(atoms.residues[atoms.residue_of[atom]].name));
 }
 
 void warn_of_repeat(const AtomSites& sites, std::uint32_t atom, bool same_place, Remarks& remarks) {
