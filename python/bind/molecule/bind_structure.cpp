@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "checks.hpp"
+#include "messages.hpp"
 #include "molecule/structure.hpp"
 #include "molecule/structure_columns.hpp"
 #include "pickling.hpp"
