@@ -34,7 +34,8 @@ TEST(Foreign, NamesAreToldByTheirExtension) {
     return test::error_text<InputError>([&] { read_structure(SourceText{name, "hello\n"}); });
   };
   const std::string known =
-      "known: pdb .pdb .ent; mmcif .cif .mmcif .mcif; sdf .sdf .sd .mol .mdl; xyz .xyz .extxyz";
+      "known: pdb .pdb .ent .pdbqt; mmcif .cif .mmcif .mcif; sdf .sdf .sd .mol .mdl; xyz .xyz "
+      ".extxyz";
   EXPECT_EQ(refusal("a.GRO.gz"),
             "a.GRO.gz: is a file of GROMACS by its extension .gro, which is not read "
             "(pliant.from_mdanalysis in Python may); " +

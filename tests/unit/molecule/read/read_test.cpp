@@ -73,12 +73,12 @@ TEST(Formats, ByName) {
 }
 
 TEST(Formats, UnknownExtensionAndContent) {
-  EXPECT_EQ(
-      error_text<InputError>([] {
-        read_structure(SourceText{"x.doc", "some words\n"});
-      }),
-      "x.doc: neither extension nor content matches a known format; known: pdb .pdb .ent; mmcif "
-      ".cif .mmcif .mcif; sdf .sdf .sd .mol .mdl; xyz .xyz .extxyz");
+  EXPECT_EQ(error_text<InputError>([] {
+              read_structure(SourceText{"x.doc", "some words\n"});
+            }),
+            "x.doc: neither extension nor content matches a known format; known: pdb .pdb .ent "
+            ".pdbqt; mmcif "
+            ".cif .mmcif .mcif; sdf .sdf .sd .mol .mdl; xyz .xyz .extxyz");
 }
 
 TEST(Formats, ContentThatContradictsTheExtensionIsHintedAt) {
