@@ -8,7 +8,9 @@ import os
 import pytest
 
 ATOM = "ATOM      1  N   ALA A   1       0.000   0.000   0.000  1.00  0.00           N\n"
-KNOWN = "known: pdb .pdb .ent; mmcif .cif .mmcif .mcif; sdf .sdf .sd .mol .mdl; xyz .xyz .extxyz"
+KNOWN = (
+    "known: pdb .pdb .ent .pdbqt; mmcif .cif .mmcif .mcif; sdf .sdf .sd .mol .mdl; xyz .xyz .extxyz"
+)
 NOT_READ = "which is not read (pliant.from_mdanalysis in Python may)"
 
 #: Name, content (None: none), and what the line says after "pliant: error: ".
