@@ -85,6 +85,20 @@ std::string label_of(const Structure& self, std::int64_t atom) {
   return self.atoms.label(static_cast<std::size_t>(atom));
 }
 
+void bind_order(nb::class_<Structure>& structure) {
+  structure.def_prop_ro(
+      "source_order", [](const Structure& self) { return array_of(source_order_of(self)); },
+      nb::rv_policy::reference,
+      "(N,) int64: where each atom stands in the file or object that the structure was read or "
+      "made from, counted among those that it has. It has another order where atoms of one residue "
+      "stand apart there.");
+  structure.def(
+      "gather_residues", [](Structure& self) { gather_residues(self, python_log()); },
+      "Puts the atoms of each residue together: those that agree in chain, residue number, "
+      "insertion code and residue name, unless names of heavy atoms repeat. ``source_order`` then "
+      "tells where they stood.");
+}
+
 void bind_atoms(nb::class_<Structure>& structure) {
   def_text(
       structure, "names",
@@ -113,19 +127,6 @@ void bind_atoms(nb::class_<Structure>& structure) {
             std::span<const std::int64_t>(nb::cast<const Structure&>(self).atoms.serials), self);
       },
       "(N,) int64, read-only view: the number of each atom in the file.");
-  structure.def_prop_ro(
-      "source_order", [](const Structure& self) { return array_of(source_order_of(self)); },
-      nb::rv_policy::reference,
-      "(N,) int64: where each atom stands in the file or object that the structure was read or "
-      "made "
-      "from, counted among those that it has. It has another order where atoms of one residue "
-      "stand "
-      "apart there.");
-  structure.def(
-      "gather_residues", [](Structure& self) { gather_residues(self, python_log()); },
-      "Puts the atoms of each residue together: those that agree in chain, residue number, "
-      "insertion code and residue name, unless names of heavy atoms repeat. ``source_order`` then "
-      "tells where they stood.");
   structure.def_prop_ro(
       "b_factors",
       [](nb::handle_t<Structure> self) {
@@ -303,6 +304,7 @@ nb::class_<Structure> bind_structure(nb::module_& module) {
                 "bond_orders"_a = nb::none(), "charges"_a = nb::none(), "title"_a = "");
   bind_facts(structure);
   bind_atoms(structure);
+  bind_order(structure);
   bind_residues(structure);
   bind_bonds(structure);
   bind_pickling(structure);

@@ -208,8 +208,8 @@ def _place(atom: Any) -> tuple[str, str, int, str, str]:
     """Name, residue name and number, insertion code and chain."""
     known = atom.GetPDBResidueInfo()
     if known is None and atom.GetAtomicNum() == 1 and atom.GetDegree() == 1:
-        _, *residue = _place(atom.GetNeighbors()[0])  # of a hydrogen that RDKit has added
-        return "H", *residue
+        _, name, number, code, chain = _place(atom.GetNeighbors()[0])
+        return "H", name, number, code, chain  # of a hydrogen that RDKit has added
     if known is None:
         symbol = atom.GetSymbol() if atom.GetAtomicNum() else "X"
         return symbol, "UNK", 1, "", ""

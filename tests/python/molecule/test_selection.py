@@ -2,10 +2,14 @@
 """The selection language against MDAnalysis' select_atoms."""
 
 import random
+import re
 from pathlib import Path
 
 import bond_tool
+import numpy as np
 import pytest
+
+import pliant
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysis
@@ -76,11 +80,15 @@ def test_selections_equal_mdanalysis(name):
     source = random.Random(name)
     universe = MDAnalysis.Universe(MDA / name)
     terms = terms_for(universe.atoms)
+    order = pliant.read(MDA / name, perceive_bonds=False).source_order
+    if (np.diff(order) < 0).any():  # an index is ours, not the file's
+        terms = [term for term in terms if not re.search("index|bynum", term)]
     selections = terms + [expression(source, terms, 3) for _ in range(100)]
     answers = bond_tool.ask(["select", MDA / name], selections)
     wrong, found = [], 0
     for selection, answer in zip(selections, answers, strict=True):
-        expected = universe.select_atoms(selection).indices.tolist()
+        chosen = universe.select_atoms(selection).indices
+        expected = np.flatnonzero(np.isin(order, chosen)).tolist()
         found += bool(expected)
         if answer.get("atoms") != expected:
             wrong.append((selection, answer.get("error") or len(answer["atoms"]), len(expected)))

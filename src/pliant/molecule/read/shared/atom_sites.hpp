@@ -38,8 +38,9 @@ inline constexpr std::uint32_t left_out = std::numeric_limits<std::uint32_t>::ma
 /// locations that share an atom name, the one with the highest mean occupancy, or the first of the
 /// file on a tie (so that the atoms of a residue come from one conformer; two residue names at one
 /// position count as conformers, too). Leaves out the dummy atoms of a membrane, and atoms that
-/// repeat name and position of another atom of their residue. Reports each kind once, and where the order is no longer that of the
-/// file. Returns the new index of each listed atom, or left_out. O(N log N).
+/// repeat name and position of another atom of their residue. Reports each kind
+/// once, and where the order is no longer that of the file. Returns the new index of each listed
+/// atom, or left_out. O(N log N).
 std::vector<std::uint32_t> choose_atoms(AtomSites& sites, Remarks& remarks);
 
 /// Warns of atoms at (9999.999, 9999.999, 9999.999), which some programs write for "not known".
