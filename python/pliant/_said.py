@@ -56,3 +56,14 @@ def notes_shown_by(tell: Callable[[str], None]) -> Iterator[None]:
     finally:
         logger.setLevel(level)
         logger.removeHandler(handler)
+
+
+@contextlib.contextmanager
+def noted() -> Iterator[list[str]]:
+    """A list that warnings of ours within go to, each once, instead of to the screen."""
+    notes: list[str] = []
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        yield notes
+    texts = [str(one.message) for one in caught if issubclass(one.category, PliantWarning)]
+    notes += dict.fromkeys(texts)

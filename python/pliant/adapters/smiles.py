@@ -3,14 +3,16 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pliant._checked import checked, whole
-from pliant._core import InputError, Structure
+from pliant._core import InputError, PliantWarning, Structure
 from pliant._extras import need
+from pliant.adapters.open_stereo import open_stereo
 from pliant.adapters.rdkit import from_rdkit
 
 if TYPE_CHECKING:
@@ -43,6 +45,11 @@ def from_smiles(smiles: str, seed: int = 0) -> Structure:
         RDKit is not installed; the message says how to install it.
     InputError
         Not a SMILES, several molecules, or no 3-D structure was found.
+
+    Warns
+    -----
+    PliantWarning
+        Stereo centres or double bonds are not given: one isomer is made.
     """
     return from_rdkit(embedded(smiles, seed))
 
@@ -56,7 +63,9 @@ def embedded(smiles: str, seed: int = 0) -> Mol:
     if len(Chem.GetMolFrags(parsed)) > 1:
         raise InputError(f"SMILES '{smiles}': expected one molecule, found several ('.')")
     molecule = Chem.AddHs(parsed)
-    embed(molecule, f"SMILES '{smiles}'", seed)
+    place = f"SMILES '{smiles}'"
+    if left_open := embed(molecule, place, seed):
+        warnings.warn(f"{place}: {left_open}", PliantWarning, stacklevel=4)
     molecule.SetProp("_Name", smiles)
     return molecule
 
@@ -77,8 +86,8 @@ def metals_in(symbols: Iterable[str]) -> list[str]:
     return [one for one in dict.fromkeys(symbols) if one not in _NO_METALS]
 
 
-def embed(molecule: Mol, place: str, seed: int = 0) -> None:
-    """Gives a molecule with all its hydrogens one conformer.
+def embed(molecule: Mol, place: str, seed: int = 0) -> str:
+    """Gives a molecule with all its hydrogens one conformer; returns which stereo was not given.
 
     Raises InputError, which begins with `place`, where it holds a metal, has more than MOST_ATOMS
     atoms, or no structure is found in a number of tries that depends on its size alone.
@@ -103,6 +112,7 @@ def embed(molecule: Mol, place: str, seed: int = 0) -> None:
             rdForceFieldHelpers.UFFOptimizeMolecule(molecule, maxIters=2000)
     if _longest_bond(molecule) >= _LONGEST:
         raise InputError(f"{place}: RDKit found no 3-D structure: a force field tore bonds apart")
+    return open_stereo(molecule)
 
 
 def _placed(molecule: Mol, tries: int, seed: int, *, at_random: bool = False) -> bool:

@@ -212,8 +212,8 @@ def _count(source: Source) -> int:
 
 def _say(outcome: Outcome, is_verbose: bool) -> None:
     who = f"record {outcome.number}" + (f" ({outcome.name})" if outcome.name else "")
-    if outcome.reason:
-        console.warn(f"{who}: {outcome.reason}")
+    for text in [outcome.reason] if outcome.reason else outcome.warnings:
+        console.warn(f"{who}: {text}")
     for text in outcome.notes if is_verbose else ():
         console.note(f"{who}: {text}")
 

@@ -105,6 +105,7 @@ class LibraryDone:
                     "missing": self.options.most - one.conformers,
                     "energy": one.energy or None,
                     "notes": one.notes,
+                    "warnings": one.warnings,
                 }
                 for one in self.done
             ],

@@ -11,11 +11,12 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from pliant._said import noted
 from pliant.conformers import core
 from pliant.conformers.energies import OWN, energy_of
 from pliant.conformers.mol_block import filled
 from pliant.conformers.options import ConformerOptions
-from pliant.conformers.subject import Subject, noted
+from pliant.conformers.subject import Subject
 
 
 @dataclass

@@ -29,7 +29,8 @@ class Conformers(HasFrames, Displayed):
         self.number = number  #: of the record in its file, from 1
         self.name = made.subject.name  #: of the molecule; may be empty
         self.asked = made.asked  #: conformers asked for; `len` may be less
-        self.notes = made.notes  #: what there is to know, such as that a salt was left out
+        #: what there is to know, such as that a salt was left out; what was guessed comes first
+        self.notes = [*made.subject.warnings, *made.notes]
         self.energy_name = made.energy_name  #: in words, with its unit; "" where none was asked for
         self.worst_bar = made.worst_bar  #: largest error of a held length, relative; nan: minimised
         self.starts: npt.NDArray[np.int64] = made.starts  #: (n,) start of each conformer, from 0

@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -13,9 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant import _core
-from pliant._core import InputError, PliantWarning, Structure
+from pliant._core import InputError, Structure
 from pliant._extras import need
 from pliant._refusals import shown
+from pliant._said import noted
 from pliant.conformers.mol_block import MolBlock, block_of, filled, parse
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import Record
@@ -38,6 +36,7 @@ class Subject:
     block: MolBlock
     name: str = ""
     notes: list[str] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)  #: what was guessed of it
     given: Mol | None = None  #: RDKit's own, where it was given or made
 
     @cached_property
@@ -145,7 +144,8 @@ def _of_whole_mol(molecule: Mol, name: str, notes: list[str]) -> Subject:
 
     with noted():
         structure = from_rdkit(molecule)
-    return Subject(structure, parse(Chem.MolToMolBlock(molecule)), name, notes, molecule)
+    block = parse(Chem.MolToMolBlock(molecule))
+    return Subject(structure, block, name, notes, given=molecule)
 
 
 def _of_smiles(record: Record, options: ConformerOptions) -> Subject:
@@ -168,8 +168,10 @@ def _embedded(
     from pliant.adapters.smiles import embed
 
     made = Chem.AddHs(Chem.RemoveHs(molecule, sanitize=True))
-    embed(made, place, options.seed)
-    return _of_whole_mol(made, name, notes)
+    left_open = embed(made, place, options.seed)
+    subject = _of_whole_mol(made, name, notes)
+    subject.warnings += [left_open] if left_open else []
+    return subject
 
 
 def _embedded_record(
@@ -270,14 +272,3 @@ def lacks_hydrogens(structure: Structure, radicals: set[int]) -> bool:
         if set(short.tolist()) - unknown:
             return True
     return False
-
-
-@contextmanager
-def noted() -> Iterator[list[str]]:
-    """A list that warnings of ours within go to, each once, instead of to the screen."""
-    notes: list[str] = []
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        yield notes
-    texts = [str(one.message) for one in caught if issubclass(one.category, PliantWarning)]
-    notes += dict.fromkeys(texts)

@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from pliant._core import Error, OptionError, Structure
+from pliant._core import Error, OptionError, PliantWarning, Structure
 from pliant._extras import MissingPackageError, need
 from pliant._processes import usual_workers
 from pliant._refusals import shown
@@ -88,6 +89,11 @@ def conformers(
         RDKit or OpenMM is needed and not installed; the message says how to install it.
     InputError, OptionError, FileError
         A single molecule cannot be used, or an option is wrong; a library cannot be read.
+
+    Warns
+    -----
+    PliantWarning
+        Stereo of a molecule that is made 3-D is not given: one isomer is made.
     """
     options = ConformerOptions(
         n, frames, starts, rms, window, energy, minimise, seed, embed, salts, amides
@@ -97,7 +103,7 @@ def conformers(
     if isinstance(molecule, (str, os.PathLike)) and _is_path(molecule):
         return _of_path(molecule, options, workers)
     if _is_molecule(molecule):
-        return _of_one(molecule, options, workers)
+        return _of_one(molecule, options, workers, _name(molecule) or "the molecule")
     if isinstance(molecule, Iterable):
         return _of_many(molecule, options, workers)
     raise TypeError(
@@ -118,10 +124,19 @@ def _is_molecule(given: object) -> bool:
     return isinstance(given, (str, Structure)) or _is_mol(given)
 
 
-def _of_one(given: Any, options: ConformerOptions, threads: int) -> Any:
-    made = make(_subject(given, options), options, threads)
-    found = Conformers(made)
+def _of_one(given: Any, options: ConformerOptions, threads: int, place: str) -> Any:
+    found = _found(_subject(given, options), options, threads, place)
     return found if isinstance(given, Structure) else found.to_rdkit()
+
+
+def _found(
+    subject: Subject, options: ConformerOptions, threads: int, place: str, number: int = 1
+) -> Conformers:
+    """Its conformers, and warnings of what was guessed."""
+    made = make(subject, options, threads)
+    for text in subject.warnings:
+        warnings.warn(f"{place}: {text}", PliantWarning, stacklevel=5)
+    return Conformers(made, number)
 
 
 def _subject(given: Any, options: ConformerOptions) -> Subject:
@@ -138,7 +153,10 @@ def _of_path(
 ) -> Iterator[Conformers | FailedMolecule]:
     for record in read_records(path):
         try:
-            yield Conformers(make(subject_of(record, options), options, threads), record.number)
+            subject = subject_of(record, options)
+            yield _found(
+                subject, options, threads, _called(record.place, record.name), record.number
+            )
         except MissingPackageError:
             raise
         except (Error, ValueError, RuntimeError) as error:
@@ -155,11 +173,15 @@ def _of_many(given: Iterable[Any], options: ConformerOptions, threads: int) -> I
                     f"found {shown(molecule)}"
                 )
             name = _name(molecule)
-            yield _of_one(molecule, options, threads)
+            yield _of_one(molecule, options, threads, _called(f"molecule {number}", name))
         except MissingPackageError:
             raise
         except (Error, ValueError, RuntimeError) as error:
             yield FailedMolecule(number, name, str(error))
+
+
+def _called(place: str, name: str) -> str:
+    return f"{place} ({name})" if name else place
 
 
 def _name(molecule: Any) -> str:

@@ -34,6 +34,7 @@ class Outcome:
     reason: str = ""  #: why there are none
     energy: str = ""  #: its name
     notes: list[str] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
     seconds: dict[str, float] = field(default_factory=dict)  #: CPU, by stage
     text: bytes = b""  #: the records to write
 
@@ -56,6 +57,7 @@ def outcome_of(
         return outcome
     outcome.conformers, outcome.energy = len(made.positions), made.energy_name
     outcome.notes, outcome.seconds = made.notes, made.seconds
+    outcome.warnings = made.subject.warnings
     outcome.text = gzip.compress(text, 6, mtime=0) if is_zipped else text
     return outcome
 

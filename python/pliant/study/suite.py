@@ -15,6 +15,7 @@ from pliant._checked import SEED, checked, whole
 from pliant._core import Error, InputError, OptionError, PathOptions
 from pliant._extras import MissingPackageError, need
 from pliant._progress import Stages
+from pliant._said import noted
 from pliant.adapters.smiles import embedded
 from pliant.analyse.analysis import AnalysisOptions
 from pliant.analyse.choose_representatives import representatives
@@ -94,9 +95,11 @@ def study(
         raise OptionError("FILE, --smiles: expected one of the two")
     folder = Path(output) if output is not None else Path(f"{_stem(file)}-study")
     _check_output(folder, overwrite)
+    guessed: list[str] = []
     if file is None:
-        file = _embedded(str(smiles), folder, seed)
-    task = _Task(file, end, folder, seed, keep, check, quiet)
+        with noted() as guessed:
+            file = _embedded(str(smiles), folder, seed)
+    task = _Task(file, end, folder, seed, keep, check, quiet, tuple(guessed))
     options = _sample_options(frames, seed, keep)
     if on_stage is not None:
         return task.studied(options, on_stage)
@@ -146,6 +149,7 @@ class _Task:
     keep: str
     check: bool
     quiet: bool
+    guessed: tuple[str, ...] = ()  #: of a SMILES
 
     def studied(self, options: Sequence[str], on_stage: Callable[[str], None]) -> Study:
         on_stage("sampling")
@@ -156,6 +160,7 @@ class _Task:
             with contextlib.suppress(OSError):  # it holds an earlier study
                 self.folder.rmdir()
             raise
+        ensemble.facts["warnings"] = [*self.guessed, *ensemble.facts["warnings"]]
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # `sampled` has said what there was to say
             report = AnalysisReport(

@@ -281,6 +281,23 @@ def test_smiles_files_and_texts(pliant, tmp_path):
     }
 
 
+def test_stereo_that_is_left_open_is_said_of_each_record(pliant, tmp_path):
+    drawn = Chem.MolFromSmiles("CC(F)C=CO")
+    AllChem.Compute2DCoords(drawn)
+    (tmp_path / "drawn.sdf").write_text(record(drawn, "drawn"))
+    (tmp_path / "some.smi").write_text("C[C@H](F)CO given\nCC(F)CO open\n")
+    said = "1 stereo centre is not given: one isomer was made"
+    ended = pliant("conformers", "some.smi", "-o", "out.sdf", *FAST, "--quiet")
+    assert (ended.code, ended.err) == (0, f"warning: record 2 (open): {said}\n")
+    ended = pliant("conformers", "--smiles", "CC(F)CO", "-o", "one.sdf", *FAST, "--json")
+    assert json.loads(ended.out)["made"][0]["warnings"] == [said]
+    ended = pliant("conformers", "drawn.sdf", "-o", "drawn-out.sdf", *FAST, "--embed")
+    assert ended.err == (
+        "warning: record 1 (drawn): 1 stereo centre and 1 double bond are not given: one isomer "
+        "was made\n"
+    )
+
+
 def test_what_cannot_be_used_is_refused_with_the_remedy(pliant, tmp_path):
     drawn = Chem.MolFromSmiles("C[C@H](F)CO")
     AllChem.Compute2DCoords(drawn)

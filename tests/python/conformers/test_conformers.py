@@ -231,6 +231,18 @@ def test_an_iterable_gives_an_iterator():
     )
 
 
+def test_stereo_that_is_left_open_is_warned_of(tmp_path):
+    said = "1 stereo centre is not given: one isomer was made"
+    with pytest.warns(pliant.PliantWarning, match=f"^CC\\(F\\)CO: {said}$"):
+        pliant.conformers("CC(F)CO", 2, **FAST)
+    with pytest.warns(pliant.PliantWarning, match=f"^molecule 2 \\(CC\\(F\\)CO\\): {said}$"):
+        list(pliant.conformers(["CCO", "CC(F)CO"], 2, **FAST))
+    (tmp_path / "some.smi").write_text("CC(F)CO open\n")
+    with pytest.warns(pliant.PliantWarning, match=f"^some.smi record 1 \\(open\\): {said}$"):
+        (found,) = pliant.conformers(tmp_path / "some.smi", 2, **FAST)
+    assert found.notes[0] == said
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [

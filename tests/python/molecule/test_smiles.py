@@ -62,6 +62,37 @@ def test_what_rdkit_cannot_embed_is_refused_at_once(smiles, what):
     assert str(caught.value) == f"SMILES '{smiles}': {what}"
 
 
+@pytest.mark.parametrize(
+    ("smiles", "left_open"),
+    [
+        ("CC(F)Cl", "1 stereo centre is"),
+        ("FC=CF", "1 double bond is"),
+        ("OCC1OC(O)C(O)C(O)C1O", "5 stereo centres are"),
+        ("C/C=C/[C@H](O)C=CC(F)Cl", "1 stereo centre and 1 double bond are"),
+        ("C[C@H](F)C(O)[C@H](C)F", "1 stereo centre is"),  # between an R and an S
+        ("COP(=O)(S)OCC", "1 stereo centre is"),
+        ("CC1CC2CCC1C2", "3 stereo centres are"),
+        ("CC(N)C12CC3CC(CC(C3)C1)C2", "1 stereo centre is"),  # none of adamantane
+        ("C1CCC2OC2C1", "2 stereo centres are"),  # RDKit may make the strained trans isomer
+    ],
+)
+def test_stereo_that_is_left_open_is_counted(smiles, left_open):
+    with pytest.warns(pliant.PliantWarning) as told:
+        pliant.from_smiles(smiles)
+    assert [str(one.message) for one in told] == [
+        f"SMILES '{smiles}': {left_open} not given: one isomer was made"
+    ]
+
+
+@pytest.mark.parametrize(
+    "smiles",
+    "C[C@H](F)Cl C1CC2CCC1C2 C1CN2CCC1CC2 CN1C2CCC1CCC2 NC12CC3CC(C1)CC(C3)C2 NC(=N)c1ccccc1 "
+    "COP(=O)(O)OCC COP(=O)([O-])OP(=O)([O-])OC CC(C)=C=CC C1CCCCC=C1 CC(=O)NC(C)C".split(),
+)
+def test_stereo_that_has_no_alternative_is_none(smiles):
+    pliant.from_smiles(smiles)  # a warning would be an error
+
+
 @pytest.mark.long
 def test_random_coordinates_help_where_others_do_not():
     assert len(pliant.from_smiles(100 * "C")) == 302

@@ -231,6 +231,17 @@ def test_what_is_wrong_is_said_in_one_line(words, code, message, tmp_path, capsy
     assert list(tmp_path.iterdir()) == []
 
 
+def test_stereo_that_a_smiles_leaves_open_is_said(tmp_path, capsys):
+    pytest.importorskip("rdkit")
+    words = ["--smiles", "CC(F)CO", "-o", str(tmp_path / "out"), "--frames", "8"]
+    assert main(words) == 0
+    said = "SMILES 'CC(F)CO': 1 stereo centre is not given: one isomer was made"
+    assert f"warning: {said}\n" in capsys.readouterr().err
+    assert main([*words, "--overwrite", "--json"]) == 0
+    shown = json.loads(capsys.readouterr().out)
+    assert shown["sample"]["warnings"][0] == said
+
+
 def test_a_smiles_is_studied(tmp_path, capsys):
     pytest.importorskip("rdkit")
     words = ["--smiles", "OCC(O)CO", "-o", str(tmp_path / "out"), "--frames", "20"]
