@@ -184,3 +184,27 @@ def test_neighbours_in_bonds_are_none():
     x[:, 0] = 0.5 * np.arange(6)
     pairs, _ = Clashes(elements, chain).pairs(x)
     assert pairs.tolist() == [[0, 4], [0, 5], [1, 5]]  # four bonds apart and more
+
+
+RING = """\
+ATOM      1  N   HIS A   1      -0.676  -1.294   0.000  1.00  0.00           N
+ATOM      2  CA  HIS A   1       0.000   0.000   0.000  1.00  0.00           C
+ATOM      3  C   HIS A   1       1.527   0.000   0.000  1.00  0.00           C
+ATOM      4  O   HIS A   1       2.153  -1.059   0.000  1.00  0.00           O
+ATOM      5  N   GLY A   2       2.110   1.196   0.000  1.00  0.00           N
+ATOM      6  CA  GLY A   2       3.556   1.360   0.000  1.00  0.00           C
+ATOM      7  C   GLY A   2       3.935   2.838   0.000  1.00  0.00           C
+ATOM      8  O   GLY A   2       3.072   3.717   0.000  1.00  0.00           O
+"""
+
+
+@pytest.mark.filterwarnings("ignore")  # a side chain is built
+def test_a_histidine_that_has_hydrogens_on_carbon_alone_gets_one_on_nitrogen():
+    whole = pliant.prepare(
+        pliant.prepare(pliant.read_text(RING), fill_side_chains=True).structure, all_hydrogens=True
+    ).structure
+    on_ring = [name for name in whole.names if name in ("HD1", "HE2")]
+    assert len(on_ring) == 1
+    carbons_alone = whole.select(f"not name {on_ring[0]}")
+    again = pliant.prepare(carbons_alone, all_hydrogens=True).structure
+    assert sorted(again.names) == sorted(whole.names)

@@ -48,7 +48,7 @@ class SiteFinder {
       const bool is_peptide = has_peptide_backbone(r);
       if (is_peptide && !has_hydrogen(r, true)) add_backbone(r);
       if (is_cap(residue) && !has_hydrogen(r, true)) add_cap(r);
-      if (has_hydrogen(r, false) && !protonation_.is_asked_for[r]) continue;
+      if (has_hydrogen(r, false) && !protonation_.is_asked_for[r] && !lacks_one(residue)) continue;
       add_side_chain(r);
       if (is_nucleotide(residue)) add_sugar(r);
     }
@@ -58,6 +58,10 @@ class SiteFinder {
   }
 
  private:
+  /// The ring of histidine has a hydrogen on nitrogen always; files of programs that build those on
+  /// carbon alone lack it. Other side chains may have none by their form.
+  static bool lacks_one(const Residue& residue) { return standard_name(residue.name) == "HIS"; }
+
   bool has_peptide_backbone(std::size_t residue) const {
     return residues_.find(residue, "N") != no_atom && residues_.find(residue, "CA") != no_atom &&
            residues_.find(residue, "C") != no_atom;

@@ -13,6 +13,7 @@
 #include "pliant/molecule/bonds/perception.hpp"
 #include "pliant/molecule/bonds/stated_bonds.hpp"
 #include "pliant/molecule/bonds/template_bonds.hpp"
+#include "pliant/molecule/bonds/valence.hpp"
 
 namespace pliant {
 namespace {
@@ -99,6 +100,24 @@ Tally unknown_atoms(const Structure& structure) {
   return tally;
 }
 
+/// Atoms with more neighbours than their element has, which residues and links give them.
+Tally overfull_atoms(const Structure& structure) {
+  std::vector<std::uint32_t> neighbours(structure.size(), 0);
+  for (const Bond& bond : structure.bonds) {
+    if (is_metal(structure.atoms.elements[bond.a]) || is_metal(structure.atoms.elements[bond.b]))
+      continue;
+    ++neighbours[bond.a];
+    ++neighbours[bond.b];
+  }
+  Tally tally;
+  for (std::size_t i = 0; i < structure.size(); ++i) {
+    const std::uint8_t element = structure.atoms.elements[i];
+    if (element != 0 && neighbours[i] > perception::most_neighbours(element))
+      tally.add([&] { return structure.atoms.label(i); });
+  }
+  return tally;
+}
+
 void warn_of_doubts(const Perception& perception, const Log& log) {
   const Structure& structure = perception.structure;
   warn(log, perception.unplaced, "atom", "at placeholder coordinates: no bonds perceived there");
@@ -110,6 +129,8 @@ void warn_of_doubts(const Perception& perception, const Log& log) {
   tell_of_stated(perception, log);
   warn(log, perception.crowded, "atom",
        "where atoms crowd: no bonds guessed there (are the coordinates in Angstrom?)");
+  if (structure.format != "sdf")
+    warn(log, overfull_atoms(structure), "atom", "with more bonds than such atoms have");
   warn(log, unknown_atoms(structure), "atom", "of unknown element without bonds");
 }
 
