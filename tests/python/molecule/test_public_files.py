@@ -58,7 +58,7 @@ def files_of(folder: Path) -> list[Path]:
 def test_nothing_is_wrong_without_a_word(package):
     files = files_of(folder_of(package))
     if not files:
-        pytest.skip(f"no files of {package} here: tests/support/running/fetch_public_files.sh")
+        pytest.skip(f"no files of {package} here: tests/support/public/fetch_public_files.sh")
     seen = [sweep_public.look_at(path) for path in files]
     silent = [
         finding
