@@ -211,11 +211,10 @@ def _count(source: Source) -> int:
 
 
 def _say(outcome: Outcome, is_verbose: bool) -> None:
-    who = f"record {outcome.number}" + (f" ({outcome.name})" if outcome.name else "")
     for text in [outcome.reason] if outcome.reason else outcome.warnings:
-        console.warn(f"{who}: {text}")
+        console.warn(f"{outcome.called}: {text}")
     for text in outcome.notes if is_verbose else ():
-        console.note(f"{who}: {text}")
+        console.note(f"{outcome.called}: {text}")
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from pliant._core import InputError, OptionError
 from pliant.conformers.journal import Journal, fingerprint
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import Record, read_records, smiles_record
+from pliant.conformers.repeated import Repeated
 from pliant.conformers.workers import Outcome, outcomes
 
 OnDone = Callable[[Outcome], None]
@@ -148,8 +149,12 @@ def complete(journal: Journal, workers: int, on_done: OnDone) -> LibraryDone:
     resumed = len(journal.outcomes)
     records = itertools.islice(source.records(), resumed, None)
     is_zipped = journal.output.suffix.lower() == ".gz"
+    repeated = Repeated()
+    for one in journal.outcomes:
+        repeated.warnings(one.smiles, one.called)
     try:
         for outcome in outcomes(records, options, workers, is_zipped):
+            outcome.warnings += repeated.warnings(outcome.smiles, outcome.called)
             journal.add(outcome)
             on_done(outcome)
         journal.publish()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ from pliant._core import InputError, Structure
 from pliant._extras import need
 from pliant._refusals import shown
 from pliant._said import noted
+from pliant.conformers.hydrogens import check_addable, completed, is_bare, missing_hydrogens
 from pliant.conformers.mol_block import MolBlock, block_of, filled, parse
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import Record
@@ -21,11 +23,7 @@ from pliant.conformers.records import Record
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
-AROMATIC = 4  #: order of a bond
 COUNTER_IONS = frozenset("Li Na K Rb Cs Fr Be Mg Ca Sr Ba Ra".split())
-#: Valences in use where nothing is missing, of neutral atoms; a charge adds to that of N, O and
-#: takes from that of C.
-_VALENCES = {6: 4, 7: 3, 8: 2}
 
 
 @dataclass
@@ -63,22 +61,25 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
     _check_elements(
         structure, [(before + after).split()[0] for before, after in block.atoms], record.place
     )
-    parts = block.components()
+    parts, labels = block.components(), _labels(structure.symbols.tolist())
     if len(parts) > 1:
         kept = largest([(_heavy(structure, part), len(part)) for part in parts])
+        labels = [labels[k] for k in parts[kept]]
         notes.append(_salt_note(len(parts), options, record.place))
         _check_left_out(_symbols(structure, parts), kept, record.place)
         block = block.part(parts[kept])
         text = filled(block.form(), structure.positions[parts[kept]])
         with noted():
             structure = _core.read_text(text, record.place, format="sdf")
-    if structure.is_drawing or lacks_hydrogens(structure, block.radicals):
+    missing = missing_hydrogens(structure, block.radicals)
+    if structure.is_drawing or is_bare(structure, missing):
         what = "a 2-D drawing" if structure.is_drawing else "without its hydrogens"
         if not options.embed:
             raise InputError(f"{record.place}: the molecule is {what}: {options.remedy}")
         return _embedded_record(record, block, structure, notes, options)
     notes = [note for note in notes if "all atoms have z = 0" not in note]
-    return Subject(structure, block, record.name, notes)
+    subject = Subject(structure, block, record.name, notes)
+    return _completed(subject, missing, labels, record.place) if missing else subject
 
 
 def subject_of_mol(
@@ -91,6 +92,7 @@ def subject_of_mol(
     _check_elements_of_mol(molecule, place)
     notes, whole = [], molecule
     parts = Chem.GetMolFrags(molecule, asMols=True)
+    labels = _labels(atom.GetSymbol() for atom in molecule.GetAtoms())
     if len(parts) > 1:
         notes.append(_salt_note(len(parts), options, place))
         sizes = [(part.GetNumHeavyAtoms(), part.GetNumAtoms()) for part in parts]
@@ -98,20 +100,25 @@ def subject_of_mol(
         symbols = [[atom.GetSymbol() for atom in part.GetAtoms()] for part in parts]
         _check_left_out(symbols, kept, place)
         molecule = parts[kept]
+        labels = [labels[k] for k in Chem.GetMolFrags(whole)[kept]]
         for key, value in whole.GetPropsAsDict(
             includePrivate=True, autoConvertStrings=False
         ).items():
             if isinstance(value, str):
                 molecule.SetProp(key, value)
-    implicit = any(atom.GetTotalNumHs() for atom in molecule.GetAtoms())
+    lacking = [atom.GetIdx() for atom in molecule.GetAtoms() if atom.GetTotalNumHs()]
+    bare = lacking and all(atom.GetAtomicNum() > 1 for atom in molecule.GetAtoms())
     has_positions = molecule.GetNumConformers() > 0
-    if has_positions and (implicit or not molecule.GetConformer().Is3D()):
-        what = "without its hydrogens" if implicit else "a 2-D drawing"
-        if not options.embed:
-            raise InputError(f"{place}: the molecule is {what}: {options.remedy}")
-    if implicit or not has_positions or not molecule.GetConformer().Is3D():
+    is_flat = has_positions and not molecule.GetConformer().Is3D()
+    if has_positions and (bare or is_flat) and not options.embed:
+        what = "a 2-D drawing" if is_flat else "without its hydrogens"
+        raise InputError(f"{place}: the molecule is {what}: {options.remedy}")
+    if bare or is_flat or not has_positions:
         return _embedded(molecule, name, notes, options, place)
-    return _of_whole_mol(molecule, name, notes)
+    made, warned = completed(molecule, lacking, labels)
+    subject = _of_whole_mol(made, name, notes)
+    subject.warnings += warned
+    return subject
 
 
 def subject_of_structure(structure: Structure, options: ConformerOptions) -> Subject:
@@ -120,21 +127,48 @@ def subject_of_structure(structure: Structure, options: ConformerOptions) -> Sub
     _check_elements(structure, structure.symbols.tolist(), place)
     block = block_of(structure)
     parts, notes = block.components(), list[str]()
+    labels = _labels(structure.symbols.tolist())
     if len(parts) > 1:
         largest_part = largest([(_heavy(structure, part), len(part)) for part in parts])
         kept = parts[largest_part]
+        labels = [labels[k] for k in kept]
         notes.append(_salt_note(len(parts), options, place))
         _check_left_out(_symbols(structure, parts), largest_part, place)
         block, is_kept = block.part(kept), "index " + " ".join(map(str, kept))
         with noted():
             structure = structure.select(is_kept)
-    if structure.is_drawing or lacks_hydrogens(structure, block.radicals):
+    missing = missing_hydrogens(structure, block.radicals)
+    if structure.is_drawing or is_bare(structure, missing):
         what = "a 2-D drawing" if structure.is_drawing else "without its hydrogens"
         raise InputError(
             f"{place}: the molecule is {what}: "
             "pliant.conformers(pliant.to_rdkit(structure), embed=True)"
         )
-    return Subject(structure, block, structure.title, notes)
+    subject = Subject(structure, block, structure.title, notes)
+    return _completed(subject, missing, labels, place) if missing else subject
+
+
+def _labels(symbols: Iterable[str]) -> list[str]:
+    return [f"{symbol}{number}" for number, symbol in enumerate(symbols, 1)]
+
+
+def _completed(subject: Subject, missing: dict[int, int], labels: list[str], place: str) -> Subject:
+    """With the hydrogens that are missing; as it was where RDKit finds that none is."""
+    check_addable(missing, labels, place)
+    molecule = _read_by_rdkit(filled(subject.form, subject.structure.positions), place)
+    molecule.GetConformer().SetPositions(subject.structure.positions)  # with all digits
+    made, warned = completed(molecule, missing, labels)
+    if not warned:
+        return subject
+    whole = _of_whole_mol(made, subject.name, subject.notes)
+    whole.warnings += warned
+    return _with_text_of(subject.block, whole)
+
+
+def _with_text_of(block: MolBlock, made: Subject) -> Subject:
+    """Title, comment and data items of a record for what was made of it."""
+    made.block.title, made.block.comment, made.block.items = block.title, block.comment, block.items
+    return made
 
 
 def _of_whole_mol(molecule: Mol, name: str, notes: list[str]) -> Subject:
@@ -167,7 +201,10 @@ def _embedded(
 
     from pliant.adapters.smiles import embed
 
-    made = Chem.AddHs(Chem.RemoveHs(molecule, sanitize=True))
+    made = Chem.Mol(molecule)
+    if made.GetNumConformers() and made.GetConformer().Is3D():
+        Chem.AssignStereochemistryFrom3D(made)
+    made = Chem.AddHs(Chem.RemoveHs(made, sanitize=True))
     left_open = embed(made, place, options.seed)
     subject = _of_whole_mol(made, name, notes)
     subject.warnings += [left_open] if left_open else []
@@ -182,19 +219,14 @@ def _embedded_record(
     options: ConformerOptions,
 ) -> Subject:
     need(f"{options.dashes}embed", "rdkit")
-    from rdkit import Chem
 
     form = block.form()
     if structure.is_drawing:  # so that RDKit reads stereo from wedges
         form = form.replace("  Pliant            3D", "  Pliant            2D", 1)
     molecule = _read_by_rdkit(filled(form, structure.positions), record.place)
-    if not structure.is_drawing:
-        Chem.AssignStereochemistryFrom3D(molecule)
     made = _embedded(molecule, record.name, notes, options, record.place)
-    made.block.title, made.block.comment = block.title, block.comment
-    made.block.items = block.items
     made.notes.append("made 3-D by RDKit, with hydrogens")
-    return made
+    return _with_text_of(block, made)
 
 
 def _read_by_rdkit(text: str, place: str) -> Mol:
@@ -252,23 +284,3 @@ def _salt_note(parts: int, options: ConformerOptions, place: str) -> str:
             "the largest"
         )
     return f"the largest of {parts} molecules is kept"
-
-
-def lacks_hydrogens(structure: Structure, radicals: set[int]) -> bool:
-    """Whether an atom of C, N or O has valences to spare, as without its hydrogens."""
-    count = len(structure)
-    orders, ends = structure.bond_orders.astype(np.int64), structure.bonds.T
-    aromatic = orders == AROMATIC
-    used, rings = np.zeros(count, np.int64), np.zeros(count, np.int64)
-    for end in ends:
-        np.add.at(used, end, np.where(aromatic, 1, orders))
-        np.add.at(rings, end, aromatic)
-    used += rings > 0
-    charges = structure.charges if len(structure.charges) else np.zeros(count, np.int64)
-    unknown = set(structure.bonds[orders == 0].ravel().tolist()) | radicals
-    for element, valence in _VALENCES.items():
-        wanted = valence - np.abs(charges) if element == 6 else valence + charges
-        short = np.flatnonzero((structure.elements == element) & (used < wanted))
-        if set(short.tolist()) - unknown:
-            return True
-    return False

@@ -15,6 +15,7 @@ from pliant._refusals import shown
 from pliant.conformers.make import make
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import is_library, read_records, smiles_record
+from pliant.conformers.repeated import Repeated, canonical_smiles
 from pliant.conformers.results import Conformers, FailedMolecule
 from pliant.conformers.subject import Subject, subject_of, subject_of_mol, subject_of_structure
 
@@ -93,7 +94,8 @@ def conformers(
     Warns
     -----
     PliantWarning
-        Stereo of a molecule that is made 3-D is not given: one isomer is made.
+        Stereo of a molecule that is made 3-D is not given: one isomer is made. Hydrogens that were
+        missing are added. A molecule of a library was there before: it is done again.
     """
     options = ConformerOptions(
         n, frames, starts, rms, window, energy, minimise, seed, embed, salts, amides
@@ -124,16 +126,29 @@ def _is_molecule(given: object) -> bool:
     return isinstance(given, (str, Structure)) or _is_mol(given)
 
 
-def _of_one(given: Any, options: ConformerOptions, threads: int, place: str) -> Any:
-    found = _found(_subject(given, options), options, threads, place)
+def _of_one(
+    given: Any,
+    options: ConformerOptions,
+    threads: int,
+    place: str,
+    repeated: Repeated | None = None,
+) -> Any:
+    found = _found(_subject(given, options), options, threads, place, repeated=repeated)
     return found if isinstance(given, Structure) else found.to_rdkit()
 
 
 def _found(
-    subject: Subject, options: ConformerOptions, threads: int, place: str, number: int = 1
+    subject: Subject,
+    options: ConformerOptions,
+    threads: int,
+    place: str,
+    number: int = 1,
+    repeated: Repeated | None = None,
 ) -> Conformers:
-    """Its conformers, and warnings of what was guessed."""
+    """Its conformers, and warnings of what was guessed, or was there before."""
     made = make(subject, options, threads)
+    if repeated is not None:
+        subject.warnings += repeated.warnings(canonical_smiles(subject), place)
     for text in subject.warnings:
         warnings.warn(f"{place}: {text}", PliantWarning, stacklevel=5)
     return Conformers(made, number)
@@ -151,12 +166,12 @@ def _subject(given: Any, options: ConformerOptions) -> Subject:
 def _of_path(
     path: str | os.PathLike[str], options: ConformerOptions, threads: int
 ) -> Iterator[Conformers | FailedMolecule]:
+    repeated = Repeated()
     for record in read_records(path):
+        place = _called(record.place, record.name)
         try:
             subject = subject_of(record, options)
-            yield _found(
-                subject, options, threads, _called(record.place, record.name), record.number
-            )
+            yield _found(subject, options, threads, place, record.number, repeated)
         except MissingPackageError:
             raise
         except (Error, ValueError, RuntimeError) as error:
@@ -164,6 +179,7 @@ def _of_path(
 
 
 def _of_many(given: Iterable[Any], options: ConformerOptions, threads: int) -> Iterator[Any]:
+    repeated = Repeated()
     for number, molecule in enumerate(given, 1):
         name = ""
         try:
@@ -173,7 +189,8 @@ def _of_many(given: Iterable[Any], options: ConformerOptions, threads: int) -> I
                     f"found {shown(molecule)}"
                 )
             name = _name(molecule)
-            yield _of_one(molecule, options, threads, _called(f"molecule {number}", name))
+            place = _called(f"molecule {number}", name)
+            yield _of_one(molecule, options, threads, place, repeated)
         except MissingPackageError:
             raise
         except (Error, ValueError, RuntimeError) as error:

@@ -19,6 +19,7 @@ from pliant._processes import end_with_parent
 from pliant.conformers.make import as_sdf, make
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import Record
+from pliant.conformers.repeated import canonical_smiles
 from pliant.conformers.subject import subject_of
 
 AHEAD = 16  #: molecules a process that may be done before the one that is written next
@@ -35,18 +36,34 @@ class Outcome:
     energy: str = ""  #: its name
     notes: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
+    smiles: str = ""  #: canonical, of the isomer that was made; "" where RDKit is not installed
     seconds: dict[str, float] = field(default_factory=dict)  #: CPU, by stage
     text: bytes = b""  #: the records to write
 
+    @property
+    def called(self) -> str:
+        """ "record 3 (aspirin)", for messages."""
+        return f"record {self.number}" + (f" ({self.name})" if self.name else "")
+
 
 def outcome_of(
-    record: Record, options: ConformerOptions, is_zipped: bool, threads: int = 1
+    record: Record,
+    options: ConformerOptions,
+    is_zipped: bool,
+    threads: int = 1,
+    *,
+    is_alone: bool = False,
 ) -> Outcome:
-    """Makes the conformers of a record; errors become the reason why there are none."""
+    """Makes the conformers of a record; errors become the reason why there are none.
+
+    The SMILES of one that `is_alone` is not asked for.
+    """
     outcome = Outcome(record.number, record.name)
     try:
-        made = make(subject_of(record, options), options, threads)
+        subject = subject_of(record, options)
+        made = make(subject, options, threads)
         text = as_sdf(made).encode("utf-8", "surrogateescape")
+        outcome.smiles = "" if is_alone else canonical_smiles(subject)
     except MissingPackageError:
         raise
     except (Error, OSError) as error:
@@ -57,7 +74,7 @@ def outcome_of(
         return outcome
     outcome.conformers, outcome.energy = len(made.positions), made.energy_name
     outcome.notes, outcome.seconds = made.notes, made.seconds
-    outcome.warnings = made.subject.warnings
+    outcome.warnings = subject.warnings
     outcome.text = gzip.compress(text, 6, mtime=0) if is_zipped else text
     return outcome
 
@@ -134,7 +151,7 @@ def outcomes(
     if first is None:
         return
     if second is None:
-        yield outcome_of(first, options, is_zipped, workers)
+        yield outcome_of(first, options, is_zipped, workers, is_alone=first.number == 1)
         return
     pool = [_Worker(options, is_zipped) for _ in range(workers)]
     try:

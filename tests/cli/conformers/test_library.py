@@ -285,7 +285,7 @@ def test_stereo_that_is_left_open_is_said_of_each_record(pliant, tmp_path):
     drawn = Chem.MolFromSmiles("CC(F)C=CO")
     AllChem.Compute2DCoords(drawn)
     (tmp_path / "drawn.sdf").write_text(record(drawn, "drawn"))
-    (tmp_path / "some.smi").write_text("C[C@H](F)CO given\nCC(F)CO open\n")
+    (tmp_path / "some.smi").write_text("C[C@H](F)CO given\nCC(F)CCO open\n")
     said = "1 stereo centre is not given: one isomer was made"
     ended = pliant("conformers", "some.smi", "-o", "out.sdf", *FAST, "--quiet")
     assert (ended.code, ended.err) == (0, f"warning: record 2 (open): {said}\n")
@@ -296,6 +296,35 @@ def test_stereo_that_is_left_open_is_said_of_each_record(pliant, tmp_path):
         "warning: record 1 (drawn): 1 stereo centre and 1 double bond are not given: one isomer "
         "was made\n"
     )
+
+
+def test_what_a_library_has_twice_is_done_again_and_said(pliant, command, tmp_path):
+    texts = [record(embedded("C[C@H](F)CO"), "one"), record(embedded("C[C@@H](F)CO"), "mirrored")]
+    texts += [record(embedded("OC[C@@H](C)F", 3), "another order"), library(9)]
+    (tmp_path / "some.sdf").write_text("".join(texts))
+    said = [
+        "warning: record 3 (another order): the same molecule as record 2 (mirrored): done again",
+        "warning: record 5 (molecule 2): the same molecule as record 1 (one): done again",
+        "warning: record 12 (molecule 9): the same molecule as record 4 (molecule 1): done again",
+    ]
+    words = ["conformers", "some.sdf", *map(str, FAST), "--threads", "1"]
+    assert pliant(*words, "-o", "whole.sdf").err.splitlines() == said
+    assert stopped(command, words, tmp_path, "out.sdf", signal.SIGKILL)[0] == -signal.SIGKILL
+    ended = pliant("conformers", "--continue", "out.sdf", "--json")
+    made = json.loads(ended.out)["made"]
+    assert [made[k - 1]["warnings"] for k in (3, 5, 12)] == [
+        [one.partition("): ")[2]] for one in said
+    ]
+
+
+def test_hydrogens_that_are_missing_are_added_and_said(pliant, tmp_path):
+    whole = Chem.RWMol(embedded("CCCO"))
+    whole.RemoveAtom(6)
+    (tmp_path / "part.sdf").write_text(record(whole.GetMol(), "part"))
+    ended = pliant("conformers", "part.sdf", "-o", "out.sdf", *FAST)
+    said = "1 missing hydrogen was added: 1 to C1"
+    assert (ended.code, ended.err) == (0, f"warning: record 1 (part): {said}\n")
+    assert {one.GetNumAtoms() for one in molecules(tmp_path / "out.sdf")} == {12}
 
 
 def test_what_cannot_be_used_is_refused_with_the_remedy(pliant, tmp_path):

@@ -130,6 +130,20 @@ def test_three_dimensional_sdf_needs_no_rdkit(without_rdkit, two, tmp_path):
     assert (tmp_path / "out.sdf").read_text().count("$$$$") == 2
 
 
+def test_missing_hydrogens_need_rdkit(without_rdkit, two, tmp_path):
+    lines = CAFFEINE.read_text().split("$$$$")[0].splitlines(keepends=True)
+    atoms, bonds = int(lines[3][:3]), int(lines[3][3:6])
+    del lines[3 + atoms + bonds], lines[3 + atoms]  # the last hydrogen, and its bond
+    lines[3] = f"{atoms - 1:3d}{bonds - 1:3d}{lines[3][6:]}"
+    (tmp_path / "part.sdf").write_text("".join(lines))
+    ended = without_rdkit("conformers", "part.sdf", "-o", "out.sdf", *FAST)
+    assert ended.code == 1
+    assert ended.err.splitlines()[0] == (
+        "warning: record 1 (caffeine): adding missing hydrogens (1 to C14) needs RDKit: pip "
+        'install "pliant[rdkit]"'
+    )
+
+
 @pytest.mark.parametrize(
     ("words", "what"),
     [

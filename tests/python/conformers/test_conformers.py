@@ -170,7 +170,7 @@ def test_drawings_and_molecules_without_hydrogens():
     drawn = Chem.MolFromSmiles("C[C@H](F)CO")
     AllChem.Compute2DCoords(drawn)
     bare = Chem.RemoveHs(embedded("C[C@H](F)CO"))
-    for one, what in ((drawn, "without its hydrogens"), (bare, "without its hydrogens")):
+    for one, what in ((drawn, "a 2-D drawing"), (bare, "without its hydrogens")):
         with pytest.raises(pliant.InputError) as caught:
             pliant.conformers(one, 3, **FAST)
         assert str(caught.value) == (
@@ -184,30 +184,15 @@ def test_drawings_and_molecules_without_hydrogens():
     assert found.GetNumAtoms() == 12
 
 
-@pytest.mark.parametrize(
-    "smiles",
-    "C[N+]#[C-] CN=[N+]=[N-] C[S+](C)C c1cc[nH]c1 C[N+](=O)[O-] [CH2]CC CS(=O)(=O)N C[B-](F)(F)F "
-    "C[O+](C)C CP(=O)(O)OC C[Si](C)(C)C Cn1cnc2c1c(=O)n(C)c(=O)n2C c1ccoc1 C#N".split(),
-)
-def test_whole_molecules_lack_no_hydrogens(smiles):
-    from pliant.conformers.mol_block import parse
-    from pliant.conformers.subject import lacks_hydrogens
-
-    made = Chem.AddHs(Chem.MolFromSmiles(smiles))
-    AllChem.EmbedMolecule(made, randomSeed=1, useRandomCoords=True)
-    text = Chem.MolToMolBlock(made)
-    assert not lacks_hydrogens(pliant.read_text(text, "x.sdf"), parse(text).radicals)
-    bare = Chem.MolToMolBlock(Chem.RemoveHs(made))
-    if Chem.RemoveHs(made).GetNumAtoms() < made.GetNumAtoms():
-        structure = pliant.read_text(bare, "x.sdf")
-        kekulised_pyrrole = smiles == "c1cc[nH]c1" and not lacks_hydrogens(structure, set())
-        assert kekulised_pyrrole or lacks_hydrogens(structure, parse(bare).radicals)
-
-
 def test_a_path_gives_an_iterator_that_loses_nothing(tmp_path):
     path = tmp_path / "library.sdf"
     path.write_text(library(2) + "broken\n\n\nno counts\n$$$$\n" + library(1))
-    found = list(pliant.conformers(path, 2, **FAST))
+    with pytest.warns(pliant.PliantWarning) as told:
+        found = list(pliant.conformers(path, 2, **FAST))
+    assert [str(one.message) for one in told] == [
+        "library.sdf record 4 (molecule 1): the same molecule as library.sdf record 1 (molecule "
+        "1): done again"
+    ]
     assert [one.number for one in found] == [1, 2, 3, 4]
     assert [one.name for one in found] == ["molecule 1", "molecule 2", "broken", "molecule 1"]
     assert [len(one) for one in found] == [2, 2, 0, 2]
@@ -222,7 +207,8 @@ def test_a_path_gives_an_iterator_that_loses_nothing(tmp_path):
 
 def test_an_iterable_gives_an_iterator():
     made = embedded("CCCO")
-    found = list(pliant.conformers(iter([made, "C1CC", pliant.from_rdkit(made), 3]), 2, **FAST))
+    with pytest.warns(pliant.PliantWarning, match="^molecule 3: the same molecule as molecule 1:"):
+        found = list(pliant.conformers(iter([made, "C1CC", pliant.from_rdkit(made), 3]), 2, **FAST))
     assert found[0].GetNumConformers() == len(found[2]) == 2
     assert found[1].reason == "record 1: SMILES 'C1CC': expected a molecule, RDKit cannot read it"
     assert (found[3].number, found[3].reason) == (
