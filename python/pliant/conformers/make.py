@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from pliant._core import InputError
 from pliant._said import noted
 from pliant.conformers import core
 from pliant.conformers.energies import OWN, energy_of
-from pliant.conformers.mol_block import filled
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.subject import Subject
 
@@ -49,6 +49,8 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
                 turn_amides=options.amides,
                 threads=threads,
             )
+        if len(drawn.positions) == 0:
+            raise InputError(f"none of {options.candidates} candidates is whole")
         with _timed(seconds, "energy"):
             energy = energy_of(options.energy, subject.structure, lambda: subject.molecule)
             energies = drawn.score if options.energy != "none" else np.zeros_like(drawn.score)
@@ -88,7 +90,7 @@ def as_sdf(made: Made) -> str:
     subject = made.subject
     parts = []
     for k, positions in enumerate(made.positions):
-        parts += [filled(subject.form, positions), subject.block.items]
+        parts += [subject.text(positions), subject.block.items]
         parts += [f"> <{name}>\n{value}\n\n" for name, value in items_of(made, k)]
         parts.append("$$$$\n")
     return "".join(parts)

@@ -15,7 +15,8 @@ import numpy.typing as npt
 
 from pliant._core import Structure
 
-BY_ATOM = ("M  CHG", "M  RAD", "M  ISO")  #: properties of single atoms in V2000
+#: Properties of single atoms in V2000, and their names in V3000.
+BY_ATOM = {"M  CHG": "CHG", "M  RAD": "RAD", "M  ISO": "MASS"}
 END = "M  END"
 V30 = "M  V30 "
 COORDINATES = 30  #: columns of the three coordinates in V2000
@@ -77,7 +78,8 @@ class MolBlock:
 
     def form(self) -> str:
         """The record with a place for each coordinate, for ``%``; without data items."""
-        head, more = [self.title, "  Pliant            3D", self.comment], self.more
+        head = [one_line(self.title), "  Pliant            3D", one_line(self.comment)]
+        more = self.more
         if self.is_v3000:
             counts = f"{V30}COUNTS {len(self.atoms)} {len(self.bonds)} {self.counts}"
             head += ["  0  0  0     0  0            999 V3000", f"{V30}BEGIN CTAB", counts]
@@ -117,12 +119,17 @@ class MolBlock:
         return [f"{V30}BEGIN BOND", *lines, f"{V30}END BOND"] if lines else []
 
 
+def one_line(text: str) -> str:
+    """As a line of a record: control characters would end it, and "$$$$" would end the record."""
+    return re.sub(r"\${3}(?=\$)", "$$$ ", re.sub(r"[\0-\x1f]", " ", text))
+
+
 def _literal(lines: list[str]) -> str:
     return "\n".join(lines).replace("%", "%%")
 
 
 def block_of(structure: Structure) -> MolBlock:
-    """The record of a structure of up to 999 atoms and bonds; unknown orders are written as 1."""
+    """The record of a structure; unknown orders are written as 1."""
     orders = np.maximum(structure.bond_orders, 1).tolist()
     block = MolBlock(structure.title, "", "", False)
     block.counts = f"{len(structure):3d}{len(orders):3d}  0  0  0  0  0  0  0  0999 V2000"
@@ -181,7 +188,7 @@ def _read_v2000(block: MolBlock, lines: list[str]) -> list[str]:
         if line.strip():
             block.more.append(line.rstrip())
         if line.startswith("M  RAD"):
-            block.radicals.update(int(word) - 1 for word in line[9:].split()[::2])
+            block.radicals.update(atom for atom, _ in pairs_of(line))
     return []
 
 
@@ -216,12 +223,16 @@ def _read_v3000(block: MolBlock, lines: list[str]) -> list[str]:
     return lines[k + 1 :]
 
 
+def pairs_of(line: str) -> list[tuple[int, str]]:
+    """Atoms, from 0, and their values in a property of single atoms of V2000."""
+    words = line[9:].split()
+    return [(int(a) - 1, value) for a, value in zip(words[::2], words[1::2], strict=False)]
+
+
 def _renumbered(line: str, new: dict[int, int]) -> str:
     """A property of atoms with the numbers of those that are kept; "" where none is."""
-    if not line.startswith(BY_ATOM):
+    if not line.startswith(tuple(BY_ATOM)):
         return ""
-    words = line[9:].split()
-    pairs = [(int(a) - 1, value) for a, value in zip(words[::2], words[1::2], strict=False)]
-    kept = [(new[a] + 1, value) for a, value in pairs if a in new]
+    kept = [(new[a] + 1, value) for a, value in pairs_of(line) if a in new]
     numbers = "".join(f" {a:3d} {value:>3}" for a, value in kept)
     return f"{line[:6]}{len(kept):3d}{numbers}" if kept else ""

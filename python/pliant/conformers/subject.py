@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from pliant import _core
 from pliant._core import InputError, Structure
@@ -16,13 +17,15 @@ from pliant._extras import need
 from pliant._refusals import shown
 from pliant._said import noted
 from pliant.conformers.hydrogens import check_addable, completed, is_bare, missing_hydrogens
-from pliant.conformers.mol_block import MolBlock, block_of, filled, parse
+from pliant.conformers.mol_block import MolBlock, block_of, filled, one_line, parse
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import Record
+from pliant.conformers.v3000 import fits_v2000, text_of
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
+HEADER = ("_Name", "_MolFileInfo", "_MolFileComments")  #: lines of a record, as RDKit calls them
 COUNTER_IONS = frozenset("Li Na K Rb Cs Fr Be Mg Ca Sr Ba Ra".split())
 
 
@@ -38,16 +41,21 @@ class Subject:
     given: Mol | None = None  #: RDKit's own, where it was given or made
 
     @cached_property
-    def form(self) -> str:
-        """The record with places for coordinates."""
+    def _form(self) -> str:
         return self.block.form()
+
+    def text(self, positions: npt.NDArray[np.float64]) -> str:
+        """The record with positions (N, 3), Angstrom, without data items."""
+        if self.block.is_v3000 or fits_v2000(self.block, positions):
+            return filled(self._form, positions)
+        return text_of(self.block, positions, self.structure.masses)
 
     @cached_property
     def molecule(self) -> Mol:
         """RDKit's molecule, with all hydrogens. Raises InputError where it cannot be made."""
         if self.given is not None:
             return self.given
-        text = filled(self.form, self.structure.positions)
+        text = self.text(self.structure.positions)
         return _read_by_rdkit(text, self.name or "the molecule")
 
 
@@ -68,7 +76,7 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
         notes.append(_salt_note(len(parts), options, record.place))
         _check_left_out(_symbols(structure, parts), kept, record.place)
         block = block.part(parts[kept])
-        text = filled(block.form(), structure.positions[parts[kept]])
+        text = text_of(block, structure.positions[parts[kept]], structure.masses[parts[kept]])
         with noted():
             structure = _core.read_text(text, record.place, format="sdf")
     missing = missing_hydrogens(structure, block.radicals)
@@ -88,7 +96,7 @@ def subject_of_mol(
     """Of a molecule of RDKit; one without conformers is embedded, with hydrogens."""
     from rdkit import Chem
 
-    name = molecule.GetProp("_Name") if molecule.HasProp("_Name") else ""
+    name = one_line(molecule.GetProp("_Name")) if molecule.HasProp("_Name") else ""
     _check_elements_of_mol(molecule, place)
     notes, whole = [], molecule
     parts = Chem.GetMolFrags(molecule, asMols=True)
@@ -155,7 +163,7 @@ def _labels(symbols: Iterable[str]) -> list[str]:
 def _completed(subject: Subject, missing: dict[int, int], labels: list[str], place: str) -> Subject:
     """With the hydrogens that are missing; as it was where RDKit finds that none is."""
     check_addable(missing, labels, place)
-    molecule = _read_by_rdkit(filled(subject.form, subject.structure.positions), place)
+    molecule = _read_by_rdkit(subject.text(subject.structure.positions), place)
     molecule.GetConformer().SetPositions(subject.structure.positions)  # with all digits
     made, warned = completed(molecule, missing, labels)
     if not warned:
@@ -178,8 +186,11 @@ def _of_whole_mol(molecule: Mol, name: str, notes: list[str]) -> Subject:
 
     with noted():
         structure = from_rdkit(molecule)
-    block = parse(Chem.MolToMolBlock(molecule))
-    return Subject(structure, block, name, notes, given=molecule)
+    headed = Chem.Mol(molecule)
+    for key in HEADER:
+        if headed.HasProp(key):
+            headed.SetProp(key, one_line(headed.GetProp(key)))
+    return Subject(structure, parse(Chem.MolToMolBlock(headed)), name, notes, given=molecule)
 
 
 def _of_smiles(record: Record, options: ConformerOptions) -> Subject:
@@ -220,10 +231,10 @@ def _embedded_record(
 ) -> Subject:
     need(f"{options.dashes}embed", "rdkit")
 
-    form = block.form()
+    text = text_of(block, structure.positions, structure.masses)
     if structure.is_drawing:  # so that RDKit reads stereo from wedges
-        form = form.replace("  Pliant            3D", "  Pliant            2D", 1)
-    molecule = _read_by_rdkit(filled(form, structure.positions), record.place)
+        text = text.replace("  Pliant            3D", "  Pliant            2D", 1)
+    molecule = _read_by_rdkit(text, record.place)
     made = _embedded(molecule, record.name, notes, options, record.place)
     made.notes.append("made 3-D by RDKit, with hydrogens")
     return _with_text_of(block, made)

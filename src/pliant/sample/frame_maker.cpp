@@ -12,8 +12,6 @@ namespace pliant {
 namespace {
 
 constexpr int most_redraws = 20;
-/// Bars are whole to rounding by how units move: more is an error, and no frame (share of length).
-constexpr double most_residual = 1e-9;
 
 FrodaOptions blind() {
   FrodaOptions options;
@@ -118,7 +116,7 @@ void FrameMaker::finish(MadeFrame& out) const {
   out.drawn_by = request_.drawn_by;
   out.off_target = rms_distance(out.positions, request_.targets);
   measure_bars(out);
-  out.is_made = out.max_residual <= most_residual;
+  out.is_made = out.max_residual <= most_residual && std::isfinite(out.off_target);
 }
 
 std::span<const Vec3> FrameMaker::from(const FrameRequest& request, std::span<const Vec3> now) {

@@ -34,6 +34,10 @@ struct MadeFrame {
 /// Not thread-safe: each thread has its own.
 class FrameMaker {
  public:
+  /// Bars are whole to rounding by how units move: more is an error, and no frame (share of
+  /// length).
+  static constexpr double most_residual = 1e-9;
+
   /// All must outlive it.
   FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler);
 

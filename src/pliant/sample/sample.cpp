@@ -6,10 +6,13 @@
 #include <chrono>
 #include <exception>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/base/threads.hpp"
+#include "pliant/framework/measures/check_positions.hpp"
 #include "pliant/framework/measures/limit_counts.hpp"
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/sample/conformers/conformer_framework.hpp"
@@ -27,15 +30,33 @@ constexpr std::size_t first_in_lanes = 4, most_in_lanes = 128;
 /// Seconds of a batch: below there may be more frames in one, above there are fewer.
 constexpr double short_wait = 0.25, long_wait = 1.0;
 constexpr double start_tolerance = 1e-6;
+/// Steps square distances from the centre: beyond, rounding is as large as the least inertia of a
+/// body, 1e-6 Angstrom^2.
+constexpr double largest_radius = 5e4;  // Angstrom
 
 double seconds_since(std::chrono::steady_clock::time_point begun) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
 
+/// A molecule so wide, or so far from the origin, that no frame would be whole is refused at once.
+void check_extent(const Framework& framework, std::span<const Vec3> start) {
+  check_positions(
+      framework, start, Tolerance{FrameMaker::most_residual}, {[](Severity, std::string_view text) {
+        throw InputError("the start: " + std::string(text) + "; move the molecule to the origin");
+      }});
+  Vec3 centre;
+  for (Vec3 x : start) centre += (1.0 / double(start.size())) * x;
+  for (std::size_t k = 0; k < start.size(); ++k)
+    if (const double away = distance(start[k], centre); away > largest_radius)
+      throw InputError("the start: " + framework.label(static_cast<Joint>(k)) + " is " +
+                       number_text(away, 2) + " Angstrom from the centre: expected at most " +
+                       number_text(largest_radius));
+}
+
 void check_start(const Framework& framework, std::span<const Vec3> start) {
   const Tolerance tolerance{start_tolerance, 0.0, 0.02, 0.02};
   const ResidualSummary found = measure(framework, start, tolerance);
-  if (found.within) return;
+  if (found.within) return check_extent(framework, start);
   if (found.max_relative > start_tolerance || !found.finite)
     throw InputError("the start: bar " + framework.label(framework.bars()[found.worst_bar]) +
                      " is not whole; resolve it first");

@@ -24,7 +24,8 @@ using SampleObserver = std::function<bool(const Frame&)>;
 /// neither on the number of threads nor on how a run is divided. Frames that cannot be resolved are
 /// drawn again, and the summary counts them; every frame shown is whole. Throws OptionError for bad
 /// options and nodes, and for frameworks with pinned joints or in a plane; InputError if the start
-/// is not whole or violates limits.
+/// is not whole, violates limits, or is so wide or so far from the origin that no frame would be
+/// whole.
 SampleSummary sample(const Framework& framework, std::span<const Vec3> start, NetworkNodes nodes,
                      const SampleOptions& options, const SampleObserver& observer);
 

@@ -155,3 +155,40 @@ def test_one_residue_is_refused_and_loose_atoms_have_no_worst_bar(pliant, tmp_pa
     ended = pliant("sample", "two.xyz", "--frames", 2, "--verbose")
     assert ended.code == 0
     assert "worst contact" in ended.out and "worst bar" not in ended.out
+
+
+WIDE = "4\n\nC 0 0 {0}\nC {0} 0 0\nC 0 {0} 0\nC -{0} {0} -{0}\n"
+
+
+def test_what_is_too_wide_for_whole_frames_is_refused_at_once(pliant, tmp_path):
+    (tmp_path / "x.xyz").write_text(WIDE.format(10**6))
+    ended = pliant("sample", "x.xyz", "-o", "out.h5md", "--sampler", "modes")
+    assert (ended.code, ended.out) == (1, "")
+    assert ended.err.splitlines()[-1] == (
+        "pliant: error: the start: C(1) is 1.1e+06 Angstrom from the centre: expected at most 50000"
+    )
+    assert not (tmp_path / "out.h5md").exists()
+
+
+@pytest.mark.parametrize("sampler", ["modes", "torsions"])
+def test_what_is_too_far_for_whole_frames_is_refused_at_once(pliant, ethanol, tmp_path, sampler):
+    head, atoms = ethanol.read_text().split("ethanol\n")
+    rows = [line.split() for line in atoms.splitlines()]
+    far = [f"{name} {float(x) + 1e8:.4f} {y} {z}\n" for name, x, y, z in rows]
+    ethanol.write_text(f"{head}\n{''.join(far)}")
+    ended = pliant("sample", ethanol.name, "-o", "out.h5md", "--sampler", sampler)
+    assert (ended.code, ended.out) == (1, "")
+    assert ended.err.splitlines()[-1] == (
+        "pliant: error: the start: coordinates reach 1e+08 Angstrom, where doubles are 2.2e-08 "
+        "apart: the tolerance of bar O(3) - H(9) cannot be met; move the molecule to the origin"
+    )
+    assert not (tmp_path / "out.h5md").exists()
+
+
+def test_the_widest_molecule_has_whole_frames(pliant, tmp_path):
+    (tmp_path / "x.xyz").write_text(WIDE.format(3 * 10**4))
+    ended = pliant("sample", "x.xyz", "-o", "out.h5md", "--sampler", "modes", "--frames", 20)
+    assert ended.code == 0, ended.err
+    with h5py.File(tmp_path / "out.h5md") as file:
+        moved = np.ptp(file["particles/trajectory/position/value"][:], axis=0)
+    assert np.all((moved > 0.1) & (moved < 100.0))

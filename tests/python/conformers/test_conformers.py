@@ -184,6 +184,15 @@ def test_drawings_and_molecules_without_hydrogens():
     assert found.GetNumAtoms() == 12
 
 
+def test_no_candidate_is_an_error(monkeypatch):
+    from pliant.conformers import core
+
+    none = core.Drawn(np.zeros((0, 9, 3)), np.zeros(0, int), np.zeros(0), np.zeros((1, 9, 3)), 0.0)
+    monkeypatch.setattr(core, "draw", lambda *_, **__: none)
+    with pytest.raises(pliant.InputError, match=r"^none of 60 candidates is whole$"):
+        pliant.conformers("CCO", 3, **FAST)
+
+
 def test_a_path_gives_an_iterator_that_loses_nothing(tmp_path):
     path = tmp_path / "library.sdf"
     path.write_text(library(2) + "broken\n\n\nno counts\n$$$$\n" + library(1))
