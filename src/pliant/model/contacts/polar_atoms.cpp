@@ -102,18 +102,25 @@ bool PolarAtoms::is_negative(std::uint32_t acceptor) const {
          }) >= 2;
 }
 
+/// Files differ in where hydrogens stand: the plane is that of heavy atoms, where these span one.
+std::vector<std::uint32_t> PolarAtoms::heavy_first(std::uint32_t atom, std::uint32_t left) const {
+  std::vector<std::uint32_t> around;
+  for (const Link& link : graph_.at(atom))
+    if (link.node != left) around.push_back(link.node);
+  std::ranges::stable_partition(around, [&](std::uint32_t i) { return !graph_.is_hydrogen(i); });
+  return around;
+}
+
 Vec3 PolarAtoms::plane(std::uint32_t atom) const {
   const auto at = [&](std::uint32_t i) { return structure_.positions[i]; };
   const auto normal = [&](std::uint32_t centre, std::uint32_t one, std::uint32_t other) {
     return unit_vector(cross(at(one) - at(centre), at(other) - at(centre)));
   };
-  const auto links = graph_.at(atom);
-  if (links.size() >= 2) return normal(atom, links[0].node, links[1].node);
-  if (links.empty()) return {0.0, 0.0, 1.0};
-  const std::uint32_t neighbour = links[0].node;
-  std::vector<std::uint32_t> others;
-  for (const Link& link : graph_.at(neighbour))
-    if (link.node != atom) others.push_back(link.node);
+  const std::vector<std::uint32_t> around = heavy_first(atom, no_atom);
+  if (around.size() >= 2) return normal(atom, around[0], around[1]);
+  if (around.empty()) return {0.0, 0.0, 1.0};
+  const std::uint32_t neighbour = around[0];
+  const std::vector<std::uint32_t> others = heavy_first(neighbour, atom);
   if (others.empty()) return {0.0, 0.0, 1.0};
   return normal(neighbour, others[0], others.size() > 1 ? others[1] : atom);
 }

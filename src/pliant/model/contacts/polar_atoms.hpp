@@ -26,10 +26,12 @@ class PolarAtoms {
   Hybridisation hybridisation(std::uint32_t atom) const;
   bool is_positive(std::uint32_t donor) const;
   bool is_negative(std::uint32_t acceptor) const;
-  /// A normal of the plane at an atom: of its first two neighbours, or of its neighbour's.
+  /// A normal of the plane at an atom: of its first two neighbours, or of its neighbour's; heavy
+  /// atoms come before hydrogens.
   Vec3 plane(std::uint32_t atom) const;
 
  private:
+  std::vector<std::uint32_t> heavy_first(std::uint32_t atom, std::uint32_t left) const;
   bool is_acceptor(std::uint32_t atom) const;
   bool other_nitrogen_donates(std::uint32_t donor) const;
   bool is_bonded_to(std::uint32_t atom, std::uint8_t element) const;

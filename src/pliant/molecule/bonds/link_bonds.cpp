@@ -30,22 +30,29 @@ class LinkStep {
       : p_(perception), none_(static_cast<std::uint32_t>(perception.structure.size())) {}
 
   void run() {
-    std::size_t begin = 0;  // of the row of linked pieces
+    const std::size_t none = p_.pieces.size();
+    std::size_t begin = none, before = none;  // of the row of linked pieces: its first, its last
     for (std::size_t k = 0; k < p_.pieces.size(); ++k) {
       ends_.push_back(ends_of(p_.pieces[k]));
-      if (k > 0 && !link(k - 1, k)) {
-        close_ring(begin, k - 1);
+      if (is_water(p_.pieces[k])) continue;  // may stand between two that are linked
+      if (before == none || !link(before, k)) {
+        if (before != none) close_ring(begin, before);
         begin = k;
       }
+      before = k;
     }
-    if (!ends_.empty()) close_ring(begin, ends_.size() - 1);
+    if (before != none) close_ring(begin, before);
     add_disulphides();
   }
 
  private:
+  static bool is_water(const ResiduePiece& piece) {
+    return piece.shape && piece.shape->kind == ResidueKind::water;
+  }
+
   Ends ends_of(const ResiduePiece& piece) const {
     const ResidueKind kind = piece.shape ? piece.shape->kind : ResidueKind::amino_acid;
-    if (kind == ResidueKind::water) return {none_, none_, false};
+    if (is_water(piece)) return {none_, none_, false};
     if (kind == ResidueKind::nucleotide)
       return {p_.find(piece, name_p), p_.find(piece, name_o3), false};
     Ends ends{p_.find(piece, name_n), p_.find(piece, name_c), false};
