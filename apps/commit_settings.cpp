@@ -12,8 +12,8 @@ namespace pliant::app {
 
 void add_commit_options(CommandLine& line, CommitSettings& settings) {
   line.add_text("--commits", settings.file, "FILE",
-                "keep here what is done, until the output is whole; after a kill the same\n"
-                "command goes on from it, and the output has the same bytes");
+                "save finished work here until the output is complete; after a kill the same\n"
+                "command continues from it, and the output has the same bytes");
   line.add_real("--commit-seconds", settings.seconds, Range::zero_or_more,
                 "interval between commits (s)");
 }

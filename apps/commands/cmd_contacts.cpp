@@ -64,8 +64,8 @@ int command_contacts(const Arguments& arguments) {
   CommandLine line(
       "pliant contacts",
       "Lists what holds a molecule together besides its bonds:\n" + kinds_found() +
-          "Polar hydrogens that the file lacks are added by geometric rules, the same way each\n"
-          "time; stderr says which.");
+          "Polar hydrogens that the file lacks are added by geometric rules, always in the\n"
+          "same way; stderr says which.");
   line.set_footer(
       "Examples:\n"
       "  pliant contacts protein.pdb\n"

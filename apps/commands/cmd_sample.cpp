@@ -116,9 +116,9 @@ SampledSystem system_of(const PlannedSample& planned) {
 
 constexpr const char* sample_purpose =
     "Makes an ensemble: independent frames around the structure in the file, each with exact\n"
-    "bonds and angles and no overlaps. Contacts are held. Of a protein of more than 100\n"
-    "residues, if more than 100 frames are made, domains turn in about half of them, and\n"
-    "contacts between these domains are released. How far the frames go (--amplitude) is an\n"
+    "bonds and angles and no overlaps. Contacts are held. If more than 100 frames are made of\n"
+    "a protein of more than 100 residues, domains turn in about half of them, and contacts\n"
+    "between these domains are released. How far the frames go (--amplitude) is an\n"
     "input, not a prediction, and how often a shape occurs is not known.\n"
     "For a small molecule the frames are conformers, with new torsions and flipped rings.";
 

@@ -49,7 +49,7 @@ void add_imd_options(CommandLine& line, ImdSettings& settings) {
   line.add_integer("--imd-every", settings.every, 1, std::numeric_limits<std::int64_t>::max(),
                    "send every N-th step, unless the client asks for another rate");
   line.add_real("--imd-timeout", settings.timeout, Range::positive,
-                "drop a client that reads nothing for so many seconds");
+                "drop a client that reads nothing for this many seconds");
   line.add_flag("--imd-kill", settings.kill, "let clients end the run (KILL)");
 }
 

@@ -35,7 +35,7 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
                  "find contacts of these kinds besides the usual ones:" + unusual_contacts());
   line.add_flag("--keep-waters", settings.keep_waters, "do not remove waters");
   line.add_names("--keep", settings.keep, "",
-                 "do not leave out these molecules of crystallisation, such as GOL,SO4, or all");
+                 "keep these crystallisation additives, such as GOL,SO4, or all");
   line.add_flag("--fill-side-chains", settings.fill_side_chains,
                 "build missing side-chain atoms by rule (a guess: the data does not show them)");
   line.add_flag("--all-hydrogens", settings.all_hydrogens,
@@ -50,8 +50,8 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
 
 void add_torsion_option(CommandLine& line, ModelSettings& settings) {
   line.add_flag("--free-torsions", settings.free_torsions,
-                "do not pull side chains towards staggered torsions, nor phi and psi back to the\n"
-                "usual regions of the Ramachandran plot");
+                "do not pull side chains towards staggered torsions, nor phi and psi towards the\n"
+                "allowed regions of the Ramachandran plot");
 }
 
 void check(const ModelSettings& settings) {

@@ -126,10 +126,10 @@ void add_file_options(CommandLine& line, MoleculeOptions& options, bool takes_gr
 
 void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
   add_options_of_files(line, options, molecules_or_graph);
-  line.add_integer_or_choice("--model", options.model, 1, most_models, options.kind.name,
-                             names_of(models()),
-                             "what holds it together: bonds, angles, molecule (no overlaps) or "
-                             "protein (contacts, too); replaces --bars; a number means --frame");
+  line.add_integer_or_choice(
+      "--model", options.model, 1, most_models, options.kind.name, names_of(models()),
+      "what holds it together: bonds, angles, molecule (no overlaps) or "
+      "protein (contacts, too); replaces --bars; a number is taken as --frame");
   line.add_text("--bars", options.bars, "NAME or FILE",
                 "bars: bonds, angles (bonds, angles and planar groups), none, or a bars file "
                 "(default: bonds)");

@@ -32,7 +32,7 @@ void add_technique_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Technique");
   add_fields(line, settings.run, "Technique");
   line.add_text("--ordering", settings.ordering, "FILE",
-                "visit the bars in the order that this file lists; replaces --technique");
+                "visit the bars in the order listed in this file; replaces --technique");
 }
 
 void add_perturb_options(CommandLine& line, RunSettings& settings) {
@@ -42,7 +42,7 @@ void add_perturb_options(CommandLine& line, RunSettings& settings) {
                 "replay a force file: one push per step, or what was done by hand;\n"
                 "replaces --perturb. Options that the file holds need not be given");
   line.add_flag("--override-forces", settings.override_forces,
-                "where options or the structure contradict --forces, go by the command line");
+                "if options or the structure contradict --forces, the command line wins");
   line.add_text("--record-forces", settings.record_forces, "FILE",
                 "write the push of each step to a force file, for --forces");
 }

@@ -105,7 +105,7 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
   fmt::print("drawn again     {} frames; {} more needed a second attempt\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
   if (summary.mean_let_go > 0.0)
-    fmt::print("let go          {:.1f} contacts a frame\n", summary.mean_let_go);
+    fmt::print("released        {:.1f} contacts a frame\n", summary.mean_let_go);
   print_worst(system, summary);
   fmt::print("time            {:.2f} s; {:.2f} ms of one core per frame\n", summary.seconds,
              ms_a_frame(summary));

@@ -30,10 +30,10 @@ Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, repor
 opens in a browser without a network and shows the molecule moving.
 
 It shows how flexible each residue is, with an error; which parts move together; collective
-motions; what else the molecule could look like, if sampler reach drew the frames: shapes, what
-turned about which hinges, pockets that opened; contacts kept and lost; and whether the
-stereochemistry is sound: bond angles, chirality, planar groups, peptide bonds, Ramachandran,
-overlaps, and every bar (fixed distance) of every frame.
+motions; for sampler reach or pocket, what else the molecule could look like: shapes, what turned
+about which hinges, pockets that opened; contacts kept and lost; and whether the stereochemistry is
+sound: bond angles, chirality, planar groups, peptide bonds, Ramachandran, overlaps, and every bar
+(fixed distance) of every frame.
 
 It takes any trajectory that MDAnalysis reads. What cannot be computed from a file is left out,
 and the page says so. The folder also holds files for other programs: flexibility.csv,

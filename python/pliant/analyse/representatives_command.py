@@ -49,7 +49,7 @@ def _parser() -> Parser:
     )
     which = parser.add_mutually_exclusive_group(required=True)
     which.add_argument("-k", dest="count", type=whole_number(1), metavar="K", help="how many")
-    text = "one for each other shape in an ensemble of sampler reach (see pliant analyse)"
+    text = "one for each other shape in an ensemble of sampler reach or pocket (see pliant analyse)"
     which.add_argument("--shapes", action="store_true", help=text)
     add("-o", "--output", metavar="FILE", required=True, help="PDB file with a model for each")
     add("--topology", metavar="FILE", help="file of atoms, if FILE holds none (PDB, GRO, PSF ...)")

@@ -14,9 +14,9 @@ from pliant._core import OptionError
 EPILOG = """\
 Exit code: 0 if they were compared, 1 if they cannot be, 2 for a bad option.
 
-The ceiling is how well two halves of THEIRS agree with each other: no agreement beyond that can be
-detected. How far OURS goes (--amplitude of pliant sample) was an input, so only which parts move,
-and in what directions, counts.
+The ceiling is how well two halves of THEIRS agree with each other: OURS cannot be shown to agree
+better than that. How far OURS goes (--amplitude of pliant sample) was an input, so only which parts
+move, and in what directions, counts.
 
 examples:
   pliant compare out.h5md nmr_models.pdb
@@ -52,15 +52,15 @@ def make_parser() -> console.Parser:
     add("--topology", metavar="FILE", help=text)
     text = "MDAnalysis selection for both (default all)"
     add("--select", metavar="TEXT", default="all", help=text)
-    text = "frames to read of each at most, spread evenly, or all (default 2000; 500 with --path)"
+    text = "frames to read of each at most, evenly spaced, or all (default 2000; 500 with --path)"
     add("--frames", metavar="N", type=console.whole_number(2, "all"), help=text)
     text = "folder for the pictures (default: that of OURS)"
     add("-o", "--output", metavar="FOLDER", type=pathlib.Path, help=text)
     add(
         "--path",
         action="store_true",
-        help="OURS and one file of THEIRS are paths: mean nearest, Hausdorff and Frechet "
-        "distances of their frames, beside a straight line",
+        help="compare OURS and one file of THEIRS as paths: mean nearest, Hausdorff and "
+        "Frechet distances of their frames, beside those of a straight line",
     )
     add("--no-picture", action="store_true", help="draw no picture")
     add("--json", action="store_true", help="print the comparison as one JSON object")

@@ -11,16 +11,16 @@ from pliant.ensemble.scratch import USUAL
 
 DESCRIPTION = """\
 Runs many walkers (pliant run), or samples many frames (pliant sample), in shards that share the
-cores of this machine, or of many. A shard is a file with some of the walkers or frames; its bits
+cores of one machine or of many. A shard is a file with some of the walkers or frames; its bits
 depend only on the input, the options, the seed and the numbers of these walkers or frames, not on
-where or how often it was made. Finished shards are kept: after a crash, a lost worker or Ctrl-C,
-the same command goes on from there.
+where or in how many attempts it was made. Finished shards are kept: after a crash, a lost worker or
+Ctrl-C, the same command goes on from there.
 
-Frames are those that one pliant sample of as many would make, bit for bit. Of a protein of more
-than 100 residues half of them, in hundreds, are around the start (modes), and the others go
-further: domains turn. With --sampler modes, turns, ... all are of that sampler.
+The frames are, bit for bit, those of one pliant sample with the same --frames. For a protein of
+more than 100 residues, half of them, in hundreds, stay near the start (modes); in the others
+domains turn. With --sampler modes, turns, ... all frames are made by that sampler.
 
-Options that --help-all does not list are those of pliant run, or with --frames of pliant sample."""
+It also takes the options of pliant run, or with --frames those of pliant sample."""
 
 EPILOG = """\
 examples:
@@ -39,7 +39,7 @@ dask-jobqueue's class for that queue, such as cores: 1, memory: 2GB, walltime: "
 In Python, MDAnalysis.Universe("many/ensemble.pliant") is all shards as one trajectory.
 
 Exit code: 0 all shards are complete, 1 bad input or file, 2 bad option, 3 some frames are not
-whole or were left out. Ended early, with what was done committed: 75 by --walltime or SIGUSR1, 130
+whole or were left out. Ended early, with finished work saved: 75 by --walltime or SIGUSR1, 130
 by Ctrl-C, 143 by SIGTERM. The same command goes on from there."""
 
 #: options that --help shows

@@ -26,15 +26,15 @@ ATTEMPTS = 10  #: of --backtrack without a number
 
 EPILOG = """\
 Residues are matched by chain and number, else by sequence. Contacts that both structures have are
-held on the way; those in only one of them, or of atoms that are not matched, are not held. Ligands
+held on the way; those in only one of them, or of unmatched atoms, are not held. Ligands
 and metals are matched by chain, number and name. Bonds, angles and planar groups are those of
 START, exact in each frame, and atoms do not overlap.
 
-Where the straight way does not arrive, parts that keep their shape turn as wholes, if one turns by
-45 degrees or more.
+If the direct path does not reach END, parts that keep their shape are rotated as rigid bodies,
+provided that one of them turns by 45 degrees or more.
 
-A path shows that a way exists, and what must give way on it. It does not show how fast or how
-likely it is, or that the molecule takes it.
+A path shows that a route exists, and which contacts have to break on it. It does not show how fast
+or how likely it is, or that the molecule takes it.
 
 exit codes: 0 END was reached (CA to 0.5 A, heavy atoms to 1 A), 1 bad input or file, 2 bad option,
 3 END was not reached

@@ -75,7 +75,7 @@ class MolecularPath(HasFrames, Displayed):
             ("frames", f"{len(self.frames)}"),
             ("matched", f"{self.matched} residues, by {self.atoms}"),
             ("distance from the end", f"{at_first:.2f} Å at first, {self.reached:.2f} Å reached"),
-            ("contacts", f"{self.held} held, {self.only_start} let go, {self.only_end} of the end"),
+            ("contacts", f"{self.held} held, {self.only_start} released, {self.only_end} of END"),
             *(("tightest", text) for text in tight),
             *(("note", note) for note in self.notes),
         ]

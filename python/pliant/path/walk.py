@@ -56,7 +56,7 @@ def path(
     seed : int
         Of the detours.
     keep : str or sequence of str
-        Molecules of crystallisation that stay, as for `build_model`.
+        Crystallisation additives to keep, as for `build_model`.
     output : str or path, optional
         H5MD file to write frames to, or a PDB file with one model for each, when all are made;
         those that there are after Ctrl-C.

@@ -23,8 +23,8 @@ address on this machine (127.0.0.1); the command keeps running until Ctrl-C. Wit
 is opened as a file, and you can drop files on it.
 
 An ensemble (pliant sample, pliant ensemble) or a path in H5MD is shown moving, with its domains,
-the axes about which they turn, and small pictures of its shapes; pull on from any frame. Of an
-ensemble of more than 96 MB some frames are taken evenly, and the page says how many.
+the axes about which they turn, and small pictures of its shapes; you can pull from any frame. Of
+an ensemble larger than 96 MB, evenly spaced frames are shown, and the page says how many.
 
 In the page: drag an atom to pull it, drag the background to rotate the view; "?" explains the
 rest.
@@ -34,7 +34,7 @@ With --connect the page shows a live run (pliant run --imd): its atoms as they m
 molecule that the run reads, or the PDB file that it writes. A slow page skips frames and never
 slows the run down. The command ends when the run has ended, whether or not a page is open.
 
-exit codes: 0 done, 1 FILE cannot be read or is not the run's, nobody listens there, the connection
+exit codes: 0 done, 1 FILE cannot be read or does not match the run, no run answers, the connection
 is lost, or the package was built without the page; 2 bad option
 
 examples:
@@ -59,7 +59,7 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     text = "PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it"
     add("file", metavar="FILE", nargs="?", help=text)
-    text = "the start of an ensemble, where FILE is one and\nits start is not beside it"
+    text = "start structure, if FILE is an ensemble and\nits start is not beside it"
     add("structure", metavar="STRUCTURE", nargs="?", help=text)
     add(
         "--connect",

@@ -15,23 +15,23 @@ COMMON = ("--output", "--frames", "--smiles", "--keep", "--no-check")
 DESCRIPTION = """\
 Studies a molecule and answers, on one page: which parts are flexible, what moves together, what
 else it could look like, and what was left out. With END, another structure of the same molecule,
-a path to it is found as well. Of a small molecule, conformers are studied.
+a path to it is found as well. For a small molecule, conformers are studied.
 
 It does what pliant sample, analyse, representatives, path and check do by default, one after the
-other. For a choice of your own, use these."""
+other. To choose options yourself, use those commands."""
 
 EPILOG = """\
 The folder has:
   report.html            the page, for any browser
   ensemble.h5md, .pdb    the frames; MDAnalysis opens them, pliant convert writes other formats
-  representatives.pdb    20 frames that stand for all, for docking or to look at
+  representatives.pdb    20 frames that represent all, for docking or to look at
   shapes.pdb             one frame for each other shape of a protein
   path.h5md              the path to END
   show.pml, show.cxc     load all of these in PyMOL and ChimeraX
   and tables (CSV) and figures (PNG)
 
-Where OpenMM is installed, it minimises 3 to 5 frames of a protein: can they be used to start MD?
---no-check leaves this out.
+If OpenMM is installed, it minimises 3 to 5 frames of a protein to test whether they can be used to
+start MD; --no-check leaves this out.
 
 Exit code: 0 done (whatever the answers are), 1 a file cannot be read or written, 2 bad option.
 
@@ -56,7 +56,7 @@ def make_parser() -> console.Parser:
     text = "frames of the ensemble (default: as pliant sample)"
     add("--frames", metavar="N", type=console.whole_number(4), help=text)
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help="seed (default: 0)")
-    text = "keep these additives of crystallisation, such as GOL,SO4, or all"
+    text = "keep these crystallisation additives, such as GOL,SO4, or all"
     add("--keep", metavar="NAMES", default="", help=text)
     add("--no-check", action="store_true", help="do not let OpenMM minimise frames")
     add("--overwrite", action="store_true", help="replace the results of an earlier study")

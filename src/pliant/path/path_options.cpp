@@ -15,7 +15,7 @@ constexpr auto at = place_at<PathOptions, Member>;
 
 const OptionField<PathOptions> table[] = {
     {{.name = "atoms",
-      .summary = "which atoms are to arrive: one per residue, or all but H",
+      .summary = "which atoms have to reach END: one per residue, or all but H",
       .choices = [] { return names_of(path_atoms()); },
       .kind = "atoms",
       .in_python = "Which are asked to arrive: ``CA`` (P of nucleotides) or ``heavy``, those of\n"
@@ -41,9 +41,9 @@ const OptionField<PathOptions> table[] = {
     {{.name = "seed", .summary = "seed of the detours", .in_python = "Of the detours."},
      at<&PathOptions::seed>},
     {{.name = "keep",
-      .summary = "do not leave out these molecules of crystallisation, such as GOL,SO4, or all",
+      .summary = "keep these crystallisation additives, such as GOL,SO4, or all",
       .kind = "NAMES",
-      .in_python = "Molecules of crystallisation that stay, as ``GOL,SO4``, or ``all``."},
+      .in_python = "Crystallisation additives to keep, such as ``GOL,SO4``, or ``all``."},
      at<&PathOptions::keep>},
 };
 

@@ -79,8 +79,8 @@ const SampleField table[] = {
      at<&SampleOptions::sampler>},
     {{.name = "near_frames",
       .group = group,
-      .summary = "of --sampler reach: so many frames first are those of --sampler modes, by which\n"
-                 "flexibility is computed (default: half of the frames, in hundreds)",
+      .summary = "of --sampler reach: how many frames come first, made as by --sampler modes.\n"
+                 "Flexibility is computed from these (default: half of the frames, in hundreds)",
       .range = Range::zero_or_more,
       .is_optional = true,
       .in_python =
@@ -90,18 +90,18 @@ const SampleField table[] = {
      at<&SampleOptions::near_frames>},
     {{.name = "around",
       .group = group,
-      .summary = "open or close the place around these atoms (--sampler pocket): residues of\n"
-                 "proteins that are selected, or else (a ligand) within 6 Angstrom of them",
+      .summary = "open or close the site around these atoms (--sampler pocket): the protein\n"
+                 "residues selected, or, if none is (a ligand), those within 6 Angstrom",
       .kind = "SELECTION",
-      .in_python =
-          "Selection of atoms: frames open or close the place around them (sampler ``pocket``):\n"
-          "residues of proteins that are selected, or else (a ligand) within 6 Angstrom of them.",
+      .in_python = "Selection of atoms: frames open or close the site around them (sampler "
+                   "``pocket``): the\n"
+                   "protein residues selected, or, if none is (a ligand), those within 6 Angstrom.",
       .users = {.page = false}},
      at<&SampleOptions::around>},
     {{.name = "contact_energy",
       .group = group,
-      .summary = "of --sampler dilute, kcal/mol: it turns a contact of energy E off\n"
-                 "with probability exp(-|E| / X)",
+      .summary = "of --sampler dilute, kcal/mol: a contact of energy E is off with\n"
+                 "probability exp(-|E| / X)",
       .range = Range::positive,
       .unit = "kcal/mol",
       .in_python =
@@ -111,8 +111,8 @@ const SampleField table[] = {
      at<&SampleOptions::contact_energy>},
     {{.name = "turn_amides",
       .group = group,
-      .summary = "of --sampler torsions: secondary amides, ureas and carbamates turn from cis to\n"
-                 "trans, too, as tertiary amides do anyway",
+      .summary = "of --sampler torsions: secondary amides, ureas and carbamates are also drawn\n"
+                 "as cis and trans, as tertiary amides always are",
       .in_python =
           "Of sampler ``torsions``: secondary amides, ureas and carbamates turn from cis to\n"
           "trans, too, as tertiary amides do anyway.",

