@@ -50,7 +50,7 @@ def make_parser() -> console.Parser:
     )
     add = parser.add_argument
     add("file", metavar="FILE", help="H5MD trajectory of pliant run or pliant sample")
-    text = "number of frames shown to OpenMM, spread evenly, or all (default 20)"
+    text = "number of frames given to OpenMM, evenly spaced, or all (default 20)"
     add("--frames", metavar="N", type=console.whole_number(1, "all"), default=20, help=text)
     sizes = "0.01,0.03,0.1,0.3"
     text = f"standard deviations of the displacements that break frames, Angstrom (default {sizes})"
@@ -76,7 +76,7 @@ def _add_force_field(parser: console.Parser) -> None:
     text = "more frames, for longer, beside frames of a short MD: minutes instead of seconds"
     add("--thorough", action="store_true", help=text)
     text = (
-        "frames minimised for 100 steps, spread evenly, or all (default: 5 of up to 2000 atoms, "
+        "frames minimised for 100 steps, evenly spaced, or all (default: 5 of up to 2000 atoms, "
         "else 3; 20 with --thorough)"
     )
     add("--starts", metavar="N", type=console.whole_number(1, "all"), help=text)

@@ -66,11 +66,11 @@ def check(
     one broken bar, and its harmonic bonds must have the energy that Pliant computes. Then frames
     of a run are broken at random, and Pliant's techniques and OpenMM's CCMA repair the same ones.
 
-    Of an ensemble of a protein OpenMM minimises a few frames and the structure that the ensemble
-    began with, all alike: amber14 and implicit water (OBC2), missing hydrogens placed by rule. What
-    comes out says whether MD may start from these frames; `report.covers` says of which frames and
-    which parts of the molecule. With `thorough` there are more frames, some are minimised for
-    longer, and frames of a short MD stand beside them: that takes minutes. Results do not depend on
+    For an ensemble of a protein, OpenMM minimises a few frames and the start structure, all in the
+    same way: amber14 and implicit water (OBC2), missing hydrogens placed by rule. The result says
+    whether the frames can be used to start MD; `report.covers` says which frames and which parts of
+    the molecule it covers. With `thorough` there are more frames, some are minimised for longer,
+    and frames of a short MD are shown beside them: that takes minutes. Results do not depend on
     the number of cores.
 
     Parameters

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Frames of an ensemble, minimised by OpenMM: whether molecular dynamics may start from them."""
+"""Frames of an ensemble, minimised by OpenMM: whether they can be used to start MD."""

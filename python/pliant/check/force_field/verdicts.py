@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whether molecular dynamics may start from the frames: what is asked of them, and the answers."""
+"""Whether frames can be used to start MD: the criteria, and the answers."""
 
 from __future__ import annotations
 

@@ -10,13 +10,13 @@ from pliant import console
 ORDER = 7
 SUMMARY = "whether the ensemble of one known structure contains the other, with ANM"
 DESCRIPTION = """\
-Takes pairs of known structures of one protein. From each of the two, frames are made; is one of
-them the other structure? Domain motions are covered by a frame below 3 Angstrom (r.m.s. over
-the backbone), pockets by one below 1.5 (mean distance of the backbone of the pocket, the
+Takes pairs of known structures of one protein. Frames are made from each of the two; does one of
+them come near the other? A domain motion is covered by a frame within 3 Angstrom (r.m.s. over
+the backbone), a pocket by one within 1.5 (mean distance of the backbone of the pocket, the
 rest superposed). Each pair is a subfolder of --data with two files (PDB or mmCIF); pockets have a
 local.json with alignment_resid_ranges and metric_resid_ranges. Ensembles: reach, turns and modes
 of pliant sample, modes twice as wide, and straight displacements along the modes of ANM and of
-our own network, 2.8 Angstrom r.m.s., which nothing makes whole."""
+our own network, 2.8 Angstrom r.m.s., without repair."""
 EPILOG = """\
 examples:
   pliant bench coverage --data pairs -o coverage.png

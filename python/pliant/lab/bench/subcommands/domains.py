@@ -14,7 +14,7 @@ Takes pairs of known structures of one protein. From each of the two, ensembles 
 made (pliant sample --sampler modes), and domains found as pliant analyse reports them. No seed
 should contradict another, and the domains should be those that turn between the two structures by
 DynDom's criterion (Hayward and Berendsen 1998). Each pair is a subfolder of --data with two files
-(PDB or mmCIF); those with a local.json are pockets, and left out."""
+(PDB or mmCIF); those with a local.json are pockets and are left out."""
 EPILOG = """\
 examples:
   pliant bench domains --data pairs
@@ -26,7 +26,7 @@ def add_options(parser: console.Parser) -> None:
     add = parser.add_argument
     add("--data", metavar="FOLDER", required=True, help="folder of subfolders with two structures")
     add("--also", metavar="FILE,...", type=console.words, default=(),
-        help="structures without a pair, of which seeds are compared")  # fmt: skip
+        help="structures without a pair, to compare seeds only")  # fmt: skip
     add("--seeds", metavar="N", type=console.whole_number(1), default=10, help="default 10")
     add("--frames", metavar="N", type=console.whole_number(4), default=200,
         help="frames of each ensemble (default 200)")  # fmt: skip

@@ -10,8 +10,8 @@ from pliant import console
 ORDER = 3
 SUMMARY = "conformers made whole per second, on one thread and on several"
 DESCRIPTION = """\
-Makes broken copies of a molecule, and makes them whole on one thread and on several,
-each with its own copies and plans. Times are wall times. It also checks that one thread
+Breaks copies of a molecule and repairs them on one thread and on several, each with its
+own copies and plans. Times are wall times. It also checks that one thread
 and several give the same bits.
 
 With --frames it makes frames of pliant sample instead, of one protein or of many, each with
@@ -32,7 +32,7 @@ def add_options(parser: console.Parser) -> None:
     add = parser.add_argument
     text = "molecule file, as for pliant run; several with --frames"
     add("files", metavar="FILE", nargs="+", help=text)
-    text = "make so many frames of pliant sample instead"
+    text = "make N frames of pliant sample instead"
     add("--frames", metavar="N", type=console.whole_number(2), help=text)
     text = f"with --frames: {', '.join(HYDROGENS)} (default both)"
     add("--hydrogens", metavar="NAME,...", type=console.words, default=HYDROGENS, help=text)

