@@ -17,9 +17,9 @@ namespace {
 constexpr std::array<std::string_view, 12> only_conformers{
     "--smiles", "--max",      "-n",      "--starts", "--rms",    "--window",
     "--energy", "--minimise", "--embed", "--salts",  "--amides", "--shard"};
-constexpr std::array<std::string_view, 10> of_both{
-    "-o",        "--output", "--continue", "--frames",  "--seed",
-    "--threads", "--json",   "--quiet",    "--verbose", "--overwrite"};
+constexpr std::array<std::string_view, 11> of_both{
+    "-o",     "--output", "--continue", "--frames",    "--seed",     "--threads",
+    "--json", "--quiet",  "--verbose",  "--overwrite", "--max-input"};
 
 bool has(const auto& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();

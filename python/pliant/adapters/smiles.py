@@ -12,6 +12,7 @@ import numpy as np
 from pliant._checked import checked, whole
 from pliant._core import InputError, PliantWarning, Structure
 from pliant._extras import need
+from pliant._refusals import shown
 from pliant.adapters.open_stereo import open_stereo
 from pliant.adapters.rdkit import from_rdkit
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 #: Angstrom; a bond is never that long
 _LONGEST = 4.0
 MOST_ATOMS = 500  #: with hydrogens; the time of one try of an embedding grows as their cube
+MOST_LETTERS = 20_000  #: of a SMILES: more are too many atoms, and fill the memory
 #: Elements that RDKit embeds; all others are metals.
 _NO_METALS = frozenset("H He B C N O F Ne Si P S Cl Ar Ge As Se Br Kr Sb Te I Xe At Rn".split())
 
@@ -71,9 +73,15 @@ def embedded(smiles: str, seed: int = 0) -> Mol:
 
 
 def parsed_smiles(smiles: str) -> Mol:
-    """The RDKit molecule of a SMILES. Raises InputError where RDKit cannot read it."""
+    """The RDKit molecule of a SMILES. Raises InputError where RDKit cannot read all of it."""
     from rdkit import Chem, rdBase
 
+    if len(smiles) > MOST_LETTERS:
+        raise InputError(
+            f"SMILES {shown(smiles)}: expected at most {MOST_LETTERS} letters, found {len(smiles)}"
+        )
+    if (words := len(smiles.split())) > 1:  # RDKit leaves out all but the first
+        raise InputError(f"SMILES {shown(smiles)}: expected one word, found {words}")
     with rdBase.BlockLogs():
         parsed = Chem.MolFromSmiles(smiles)
     if parsed is None or parsed.GetNumAtoms() == 0:

@@ -9,14 +9,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pliant import console
-from pliant._core import FileError, OptionError
+from pliant._core import FileError, InputError, OptionError
 from pliant._extras import need
 from pliant._processes import ended_by_signals, usual_workers
 from pliant.conformers.core import A_CONFORMER, FRAMES
 from pliant.conformers.journal import Journal
-from pliant.conformers.library import Source, begin, complete, resume, what_was_asked
+from pliant.conformers.library import Source, begin, complete, resume
 from pliant.conformers.options import SALTS, ConformerOptions
-from pliant.conformers.records import SDF, format_of, is_library, read_records
+from pliant.conformers.records import SDF, format_of, is_library
 from pliant.conformers.report import lines_of
 from pliant.conformers.workers import Outcome
 
@@ -90,8 +90,17 @@ def make_parser() -> console.Parser:
     text = "let secondary amides be cis and trans, too"
     add("--amides", action="store_true", help=text)
     add("--seed", metavar="N", type=whole(0, most=2**31 - 1), default=0, help="seed (default: 0)")
+    _add_options_of_the_run(parser)
+    return parser
+
+
+def _add_options_of_the_run(parser: console.Parser) -> None:
+    add, whole = parser.add_argument, console.whole_number
     text = "only each n-th record from the i-th on, to share a library among machines"
     add("--shard", metavar="i/n", type=_shard, default=(1, 1), help=text)
+    most = ConformerOptions.max_input // 10**6
+    text = f"largest file accepted, in megabytes, also once it is decompressed (default: {most})"
+    add("--max-input", metavar="N", type=whole(1), default=most, help=text)
     text = "processes (default: as many as cores); changes no result"
     most = console.MOST_PROCESSES
     add("--threads", metavar="N", type=whole(1, most=most), default=usual_workers(), help=text)
@@ -99,7 +108,6 @@ def make_parser() -> console.Parser:
     add("--json", action="store_true", help="print the summary as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")
     add("--verbose", action="store_true", help="print notes on each molecule")
-    return parser
 
 
 def _shard(text: str) -> tuple[int, int]:
@@ -118,10 +126,8 @@ def main(words: Sequence[str] | None = None) -> int:
 
 def _conformers(arguments: argparse.Namespace) -> int:
     journal = _resumed(arguments) if arguments.go_on is not None else _begun(arguments)
-    source, _ = what_was_asked(journal)
     is_quiet = arguments.quiet or arguments.json
-    total = _count(source) if sys.stderr.isatty() and not is_quiet else 0
-    done = len(journal.outcomes)
+    total, done = journal.asked["records"], len(journal.outcomes)
 
     def on_done(outcome: Outcome) -> None:
         nonlocal done
@@ -163,6 +169,7 @@ def _begun(arguments: argparse.Namespace) -> Journal:
         embed=arguments.embed,
         salts=arguments.salts,
         amides=arguments.amides,
+        max_input=arguments.max_input * 10**6,
         dashes="--",
     )
     if (arguments.file is None) == (arguments.smiles is None):
@@ -174,9 +181,20 @@ def _begun(arguments: argparse.Namespace) -> Journal:
         is_library(arguments.file) and format_of(arguments.file) not in SDF
     ):
         need("a SMILES", "rdkit")
+    if arguments.smiles is not None:
+        _check_smiles(arguments.smiles)
     if options.embed:
         need("--embed", "rdkit")
     return begin(source, options, output, arguments.overwrite)
+
+
+def _check_smiles(text: str) -> None:
+    from pliant.adapters.smiles import parsed_smiles
+
+    try:
+        parsed_smiles(text)
+    except InputError as error:
+        raise OptionError(f"--smiles: {error}") from None
 
 
 def _output(arguments: argparse.Namespace) -> Path:
@@ -198,16 +216,9 @@ def _resumed(arguments: argparse.Namespace) -> Journal:
     free = ("go_on", "threads", "json", "quiet", "verbose")
     for name, value in vars(arguments).items():
         if name not in free and value != usual[name]:
-            given = f"--{name}" if name != "file" else value
+            given = f"--{name.replace('_', '-')}" if name != "file" else value
             raise OptionError(f"{given}: --continue goes on with what was asked for before")
     return resume(Path(arguments.go_on))
-
-
-def _count(source: Source) -> int:
-    if source.smiles:
-        return 1
-    first, of = source.shard
-    return len(range(first, sum(1 for _ in read_records(source.file)) + 1, of))
 
 
 def _say(outcome: Outcome, is_verbose: bool) -> None:

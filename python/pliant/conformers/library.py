@@ -29,12 +29,12 @@ class Source:
     smiles: str = ""
     shard: tuple[int, int] = (1, 1)  #: (i, n): each n-th record from the i-th on
 
-    def records(self) -> Iterator[Record]:
+    def records(self, options: ConformerOptions) -> Iterator[Record]:
         """Those of this shard."""
         if self.smiles:
             return iter([smiles_record(self.smiles, self.smiles)])
         first, of = self.shard
-        return itertools.islice(read_records(self.file), first - 1, None, of)
+        return itertools.islice(read_records(self.file, options), first - 1, None, of)
 
     def asked(self) -> dict[str, Any]:
         """For the journal."""
@@ -114,13 +114,18 @@ class LibraryDone:
 
 
 def begin(source: Source, options: ConformerOptions, output: Path, overwrite: bool) -> Journal:
-    """A new output. Raises as Journal.begin, and InputError where the input holds no record."""
+    """A new output. Raises as Journal.begin and read_records, and InputError without a record.
+
+    The whole input is read before it is begun: what is wrong with a file is said at once.
+    """
     if source.file and output.exists() and output.samefile(source.file):
         raise OptionError(f"--output {output}: is the input")
-    if next(source.records(), None) is None:
+    count = sum(1 for _ in source.records(options))
+    if not count:
         where = "" if source.shard == (1, 1) else f" in shard {source.shard[0]}/{source.shard[1]}"
         raise InputError(f"{source.file}: holds no record{where}")
-    return Journal.begin(output, {**source.asked(), "options": options.as_json()}, overwrite)
+    asked = {**source.asked(), "records": count, "options": options.as_json()}
+    return Journal.begin(output, asked, overwrite)
 
 
 def resume(output: Path) -> Journal:
@@ -147,7 +152,7 @@ def complete(journal: Journal, workers: int, on_done: OnDone) -> LibraryDone:
     began = time.monotonic()
     source, options = what_was_asked(journal)
     resumed = len(journal.outcomes)
-    records = itertools.islice(source.records(), resumed, None)
+    records = itertools.islice(source.records(options), resumed, None)
     is_zipped = journal.output.suffix.lower() == ".gz"
     repeated = Repeated()
     for one in journal.outcomes:

@@ -33,6 +33,7 @@ class ConformerOptions:
     embed: bool = False  #: drawings, and molecules without hydrogens, are made 3-D by RDKit
     salts: str = "largest"  #: of several molecules in a record: the largest, or refuse
     amides: bool = False  #: secondary amides turn, too
+    max_input: int = 2_000_000_000  #: bytes of a library, once it is decompressed
     dashes: str = ""  #: before the names of options in messages: "--" for the command
 
     @property
@@ -46,10 +47,15 @@ class ConformerOptions:
         asked = "--embed" if self.dashes else "embed=True"
         return f"{asked} makes it 3-D, with hydrogens, by RDKit"
 
+    @property
+    def of_more_input(self) -> str:
+        """The option that allows larger libraries."""
+        return "--max-input" if self.dashes else "max_input"
+
     def check(self) -> None:
         """Raises OptionError naming the option, what was expected and what was found."""
         dashes = self.dashes
-        for name, least in (("most", 1), ("starts", 1), ("seed", 0), ("rms", 0)):
+        for name, least in (("most", 1), ("starts", 1), ("seed", 0), ("rms", 0), ("max_input", 1)):
             value = getattr(self, name)
             if not least <= value < math.inf:
                 called = name if name != "most" else "max" if dashes else "n"
@@ -96,3 +102,6 @@ class ConformerOptions:
         """For the journal and ``--json``."""
         names = [one.name for one in fields(self) if one.name != "dashes"]
         return {name: getattr(self, name) for name in names}
+
+
+USUAL = ConformerOptions()

@@ -3,30 +3,25 @@
 
 from __future__ import annotations
 
-import bz2
-import gzip
-import io
-import lzma
+import itertools
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any, cast
 
-from pliant._core import FileError, InputError
+from pliant._core import InputError
+from pliant._input_files import lines_of
+from pliant.conformers.options import USUAL, ConformerOptions
 
 SDF = (".sdf", ".sd", ".mol", ".mdl")
 SMILES = (".smi", ".smiles")
 COMPRESSED = (".gz", ".bz2", ".xz")
 END = "$$$$"
-MOST_LINES = 200_000  #: of a record: more is no molecule, and must not fill the memory
+#: Letters and lines of a record: more is no molecule, and must not fill the memory.
+MOST_TEXT, MOST_LINES = 20_000_000, 200_000
+TOO_LONG = "expected a record of at most 20 MB and 200000 lines, found more"
+MOST_NAME = 60  #: letters of the name of a record that is too long
 HEADERS = ("smiles", "canonical_smiles", "isomeric_smiles")  #: first words of a line of titles
-
-_OPENERS: dict[bytes, Callable[[str, str], Any]] = {
-    b"\x1f\x8b": gzip.open,
-    b"BZ": bz2.open,
-    b"\xfd7": lzma.open,
-}
 
 
 @dataclass(frozen=True)
@@ -38,6 +33,7 @@ class Record:
     name: str  #: may be empty
     is_smiles: bool = False
     source: str = ""  #: name of the file
+    fault: str = ""  #: why it was not read
 
     @property
     def place(self) -> str:
@@ -58,11 +54,13 @@ def is_library(path: str | os.PathLike[str]) -> bool:
     return format_of(path) in SDF + SMILES
 
 
-def read_records(path: str | os.PathLike[str]) -> Iterator[Record]:
+def read_records(
+    path: str | os.PathLike[str], options: ConformerOptions = USUAL
+) -> Iterator[Record]:
     """The records of a file; one at a time is in memory.
 
     Raises FileError where it cannot be read, InputError where its name is that of another format,
-    or where a compressed file ends early.
+    where it holds more than `max_input`, or where a compressed file ends early.
     """
     name, kind = os.fspath(path), format_of(path)
     if kind not in SDF + SMILES:
@@ -71,48 +69,38 @@ def read_records(path: str | os.PathLike[str]) -> Iterator[Record]:
             "each also .gz, .bz2, .xz); pliant sample takes other formats"
         )
     split = _sdf_records if kind in SDF else _smiles_records
-    try:
-        with _opened(name) as lines:
-            yield from split(lines, Path(name).name)
-    except (EOFError, gzip.BadGzipFile, lzma.LZMAError) as error:
-        raise InputError(f"{name}: its compression is damaged: {error}") from None
-    except OSError as error:
-        raise FileError(f"{name}: {error.strerror or error}") from None
+    lines = lines_of(name, MOST_TEXT, options.max_input, options.of_more_input)
+    yield from split(lines, Path(name).name)
 
 
-def _opened(name: str) -> IO[str]:
-    """Lines of text. Bytes that are not UTF-8 are kept, and written as they were."""
-    with open(name, "rb") as file:
-        opener = _OPENERS.get(file.read(2), io.open)
-    binary = cast("IO[bytes]", opener(name, "rb"))
-    return io.TextIOWrapper(binary, encoding="utf-8-sig", errors="surrogateescape")
-
-
-def _sdf_records(lines: IO[str], source: str) -> Iterator[Record]:
-    number, kept = 0, list[str]()
-    for line in lines:
-        if line.startswith(END):
-            if _has_text(kept):
-                number += 1
-                yield _sdf_record(number, kept, source)
-            kept = []
-        elif len(kept) < MOST_LINES:
-            kept.append(line)
-    if _has_text(kept):
-        yield _sdf_record(number + 1, kept, source)
+def _sdf_records(lines: Iterable[str], source: str) -> Iterator[Record]:
+    number, size, is_long, kept = 0, 0, False, list[str]()
+    for line in itertools.chain(lines, [END]):
+        if not line.startswith(END):
+            size += len(line)
+            is_long |= size > MOST_TEXT or len(kept) == MOST_LINES
+            if not is_long:
+                kept.append(line)
+            continue
+        if is_long:
+            number += 1
+            name = kept[0][:MOST_NAME].strip()
+            yield Record(number, "", name, source=source, fault=TOO_LONG)
+        elif _has_text(kept):
+            number += 1
+            yield Record(number, "".join(kept), kept[0].strip(), source=source)
+        size, is_long, kept = 0, False, []
 
 
 def _has_text(lines: list[str]) -> bool:
     return any(line.strip() for line in lines)
 
 
-def _sdf_record(number: int, lines: list[str], source: str) -> Record:
-    return Record(number, "".join(lines), lines[0].strip(), source=source)
-
-
-def _smiles_records(lines: IO[str], source: str) -> Iterator[Record]:
+def _smiles_records(lines: Iterable[str], source: str) -> Iterator[Record]:
     number = 0
     for line in lines:
+        if len(line) == MOST_TEXT:
+            raise InputError(f"{source} record {number + 1}: {TOO_LONG}")
         words = line.split(maxsplit=1)
         if not words or words[0].startswith("#"):
             continue

@@ -61,6 +61,8 @@ class Subject:
 
 def subject_of(record: Record, options: ConformerOptions) -> Subject:
     """The molecule of a record. Raises InputError, which says what is wrong and what helps."""
+    if record.fault:
+        raise InputError(f"{record.place}: {record.fault}")
     if record.is_smiles:
         return _of_smiles(record, options)
     with noted() as notes:

@@ -37,6 +37,7 @@ def conformers(
     embed: bool = False,
     salts: str = "largest",
     amides: bool = False,
+    max_input: int = 2_000_000_000,
     threads: int | None = None,
 ) -> Any:
     """Return ranked conformers of a molecule, or an iterator over those of a library.
@@ -73,6 +74,8 @@ def conformers(
         Of several molecules in one: ``"largest"`` is kept, or ``"refuse"``.
     amides : bool
         Secondary amides are cis and trans, too.
+    max_input : int
+        Bytes that a file may have, and expand to. What is larger is refused.
     threads : int, optional
         Changes no result. By default as many as cores.
 
@@ -98,7 +101,7 @@ def conformers(
         missing are added. A molecule of a library was there before: it is done again.
     """
     options = ConformerOptions(
-        n, frames, starts, rms, window, energy, minimise, seed, embed, salts, amides
+        n, frames, starts, rms, window, energy, minimise, seed, embed, salts, amides, max_input
     )
     options.check()
     workers = usual_workers() if threads is None else threads
@@ -167,7 +170,7 @@ def _of_path(
     path: str | os.PathLike[str], options: ConformerOptions, threads: int
 ) -> Iterator[Conformers | FailedMolecule]:
     repeated = Repeated()
-    for record in read_records(path):
+    for record in read_records(path, options):
         place = _called(record.place, record.name)
         try:
             subject = subject_of(record, options)

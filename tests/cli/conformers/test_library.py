@@ -16,11 +16,13 @@ import pytest
 pytest.importorskip("rdkit")
 from libraries import embedded, library, molecules, record
 from pliant.conformers.journal import Journal
+from pliant.conformers.library import Source, begin, resume
+from pliant.conformers.options import ConformerOptions
 from pliant.conformers.workers import Outcome
 from rdkit import Chem
 from rdkit.Chem import AllChem
 
-from pliant import FileError
+from pliant import FileError, InputError
 
 FAST = ("--frames", 40, "--starts", 2, "--max", 3)
 BROKEN = "broken\n\n\n  1  0\nnot an atom line\n$$$$\n"
@@ -206,6 +208,19 @@ def test_another_input_is_not_continued(pliant, unfinished):
         1,
         "pliant conformers: error: library.sdf: is not the file that out.sdf was begun with\n",
     )
+
+
+def test_an_input_that_changed_far_behind_its_begin_is_not_continued(tmp_path):
+    path, output = tmp_path / "library.sdf", tmp_path / "out.sdf"
+    text = library(1) + library(1).replace("$$$$", f"> <note>\n{2**21 * 'a'}\n\n$$$$")
+    path.write_text(text)
+    source = Source(str(path))
+    begin(source, ConformerOptions(), output, overwrite=False).close()
+    resume(output).close()
+    path.write_text(text.replace("a\n\n$$$$", "b\n\n$$$$"))
+    with pytest.raises(InputError) as caught:
+        resume(output)
+    assert str(caught.value) == f"{path}: is not the file that {output} was begun with"
 
 
 def test_another_file_of_the_name_is_kept(pliant, unfinished):

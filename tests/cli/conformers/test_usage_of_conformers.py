@@ -50,6 +50,11 @@ def two(tmp_path):
         ("{} -o out.h5md", "--output out.h5md: expected a name that ends in .sdf or .sdf.gz"),
         ("{} --max 0", "-n/--max: expected a whole number from 1, found '0'"),
         ("{} --shard 4/3", "--shard: expected i/n with i from 1 to n, found '4/3'"),
+        ("{} --max-input 0", "--max-input: expected a whole number from 1, found '0'"),
+        (
+            "--continue out.sdf --max-input 3",
+            "--max-input: --continue goes on with what was asked for before",
+        ),
         ("--continue out.sdf --max 3", "--max: --continue goes on with what was asked for before"),
     ],
 )
@@ -58,6 +63,27 @@ def test_wrong_options_are_named(pliant, words, error):
     assert ended.code == 2
     assert ended.err.splitlines()[0] == f"pliant conformers: error: {error}"
     assert ended.out == ""
+
+
+@pytest.mark.parametrize(
+    ("smiles", "error"),
+    [
+        ("", "SMILES '': expected a molecule, RDKit cannot read it"),
+        (" ", "SMILES ' ': expected a molecule, RDKit cannot read it"),
+        ("C1CC", "SMILES 'C1CC': expected a molecule, RDKit cannot read it"),
+        ("CC\nCC", "SMILES 'CC\\nCC': expected one word, found 2"),
+        ("CCO ethanol", "SMILES 'CCO ethanol': expected one word, found 2"),
+        (
+            30_000 * "C",
+            "SMILES 'CCCCCCCCCCCC...CCCCCCCCCCCCC': expected at most 20000 letters, found 30000",
+        ),
+    ],
+)
+def test_a_smiles_is_one_word(pliant, tmp_path, smiles, error):
+    ended = pliant("conformers", "--smiles", smiles, "-o", "out.sdf")
+    assert (ended.code, ended.out) == (2, "")
+    assert ended.err == f"pliant conformers: error: --smiles: {error}\n"
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize(
@@ -75,6 +101,20 @@ def test_wrong_options_are_named(pliant, words, error):
             "cut.sdf.gz: its compression is damaged: Compressed file ended before the "
             "end-of-stream marker was reached",
         ),
+        (
+            "torn.sdf.gz",
+            "torn.sdf.gz: its compression is damaged: Error -3 while decompressing data: invalid "
+            "block type",
+        ),
+        ("pipe.sdf", "pipe.sdf: is a pipe, not a file"),
+        (
+            "large.sdf --max-input 1",
+            "large.sdf: holds more than 1 MB, the most that is read; --max-input allows more",
+        ),
+        (
+            "large.sdf.gz --max-input 1 --shard 1/3",
+            "large.sdf.gz: holds more than 1 MB, the most that is read; --max-input allows more",
+        ),
         ("two.sdf --shard 3/3", "two.sdf: holds no record in shard 3/3"),
         ("two.sdf -o there.sdf", "there.sdf: exists; --overwrite replaces it"),
         ("two.sdf -o no/out.sdf", "--output no/out.sdf: there is no folder no"),
@@ -86,9 +126,16 @@ def test_files_that_cannot_be_used(pliant, two, tmp_path, words, error):
     (tmp_path / "empty.sdf").write_text("\n\n")
     (tmp_path / "x.pdb").write_text("END\n")
     (tmp_path / "there.sdf").write_text("")
-    (tmp_path / "cut.sdf.gz").write_bytes(gzip.compress(two.read_bytes())[:-20])
+    packed = gzip.compress(two.read_bytes())
+    (tmp_path / "cut.sdf.gz").write_bytes(packed[:-20])
+    (tmp_path / "torn.sdf.gz").write_bytes(packed[:10] + b"\xff" + packed[11:])
+    (tmp_path / "large.sdf").write_text(two.read_text() + 1_000_000 * "\n")
+    (tmp_path / "large.sdf.gz").write_bytes(gzip.compress((tmp_path / "large.sdf").read_bytes()))
+    os.mkfifo(tmp_path / "pipe.sdf")
+    before = sorted(tmp_path.iterdir())
     ended = pliant("conformers", *words.split())
     assert (ended.code, ended.err) == (1, f"pliant conformers: error: {error}\n")
+    assert sorted(tmp_path.iterdir()) == before
 
 
 @pytest.mark.parametrize(
@@ -103,6 +150,7 @@ def test_files_that_cannot_be_used(pliant, two, tmp_path, words, error):
         ("one.sdf -o out.sdf --sampler torsions", False),
         ("one.sdf", False),
         ("one.sdf --rms 1", True),
+        ("two.sdf --max-input 2", True),
     ],
 )
 def test_what_sample_hands_over(pliant, two, tmp_path, words, is_handed_over):

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import gzip
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, cast
+from typing import TYPE_CHECKING, Any
 
 from pliant._core import InputError
+from pliant.conformers.records import format_of, read_records
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
@@ -133,9 +133,7 @@ def _records(path: Path) -> Iterator[tuple[str, Mol | None]]:
     """All records with their places, "FILE, record N"."""
     from rdkit import Chem
 
-    with gzip.open(path) if path.suffix == ".gz" else open(path, "rb") as file:
-        if path.name.endswith((".mol", ".mol.gz")):
-            yield path.name, Chem.MolFromMolBlock(file.read().decode(), removeHs=False)
-            return
-        for k, one in enumerate(Chem.ForwardSDMolSupplier(cast(BinaryIO, file), removeHs=False)):
-            yield f"{path.name}, record {k + 1}", one
+    for record in read_records(path):
+        place = "" if format_of(path) == ".mol" else f", record {record.number}"
+        text = record.text.encode(errors="replace").decode()
+        yield f"{path.name}{place}", Chem.MolFromMolBlock(text, removeHs=False)

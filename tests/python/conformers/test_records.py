@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""Records of files: no more of them is kept than a molecule has."""
+
+import gzip
+import tracemalloc
+
+import pytest
+from pliant.conformers import records
+from pliant.conformers.records import TOO_LONG, Record, read_records
+
+import pliant
+
+AFTER = Record(2, "water\n", "water", source="x.sdf.gz")
+
+
+@pytest.mark.parametrize(("line", "length"), [(b"C", 60), (999 * b"C" + b"\n", 60), (b"C\n", 2)])
+def test_a_record_without_end_fills_no_memory(tmp_path, monkeypatch, line, length):
+    monkeypatch.setattr(records, "MOST_TEXT", 10**5)
+    monkeypatch.setattr(records, "MOST_LINES", 10**3)
+    path = tmp_path / "x.sdf.gz"
+    many = length * gzip.compress(10**5 // len(line) * line)
+    path.write_bytes(gzip.compress(b"endless\n") + many + gzip.compress(b"\n$$$$\nwater\n$$$$\n"))
+    tracemalloc.start()
+    found = list(read_records(path))
+    assert tracemalloc.get_traced_memory()[1] < 1e6
+    tracemalloc.stop()
+    assert found == [Record(1, "", "endless", source="x.sdf.gz", fault=TOO_LONG), AFTER]
+
+
+def test_what_is_too_long_is_said_and_the_rest_goes_on(tmp_path, monkeypatch):
+    monkeypatch.setattr(records, "MOST_TEXT", 50)
+    path = tmp_path / "x.sdf"
+    path.write_text(f"long\n{60 * 'a'}\n$$$$\nshort\n$$$$\n{50 * ' '}x")
+    first, second, third = pliant.conformers(path)
+    assert (first.number, first.name) == (1, "long")
+    assert first.reason == (
+        "x.sdf record 1: expected a record of at most 20 MB and 200000 lines, found more"
+    )
+    assert second.name == "short"
+    assert (third.number, third.name) == (3, "")
+
+
+def test_a_line_without_end_in_smiles_ends_the_file(tmp_path, monkeypatch):
+    monkeypatch.setattr(records, "MOST_TEXT", 50)
+    path = tmp_path / "x.smi"
+    path.write_text(f"CCO ethanol\n{60 * 'C'}\n")
+    read = read_records(path)
+    assert next(read).text == "CCO"
+    with pytest.raises(pliant.InputError) as caught:
+        next(read)
+    assert str(caught.value) == (
+        "x.smi record 2: expected a record of at most 20 MB and 200000 lines, found more"
+    )
+
+
+@pytest.mark.parametrize("name", ["x.sdf", "x.sdf.gz"])
+def test_python_has_the_limit_too(tmp_path, name):
+    path, text = tmp_path / name, b"water\n$$$$\n"
+    path.write_bytes(gzip.compress(text) if name.endswith("gz") else text)
+    assert len(list(pliant.conformers(path, max_input=11))) == 1
+    with pytest.raises(pliant.InputError) as caught:
+        list(pliant.conformers(path, max_input=10))
+    assert str(caught.value) == (
+        f"{path}: holds more than 10 bytes, the most that is read; max_input allows more"
+    )
+    with pytest.raises(pliant.OptionError, match=r"^max_input: expected a number from 1, found 0$"):
+        pliant.conformers(path, max_input=0)
