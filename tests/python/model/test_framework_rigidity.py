@@ -157,7 +157,8 @@ def test_a_graph_of_laman_has_no_bar_too_many_and_one_more_makes_one_part():
     more = pliant.Framework([*bars, min(pairs)], positions=positions, planar=True)
     found = pliant.rigidity(more)
     assert (found.rank, found.self_stresses, len(found.overconstrained)) == (117, 1, 1)
-    assert found.bar_redundant.tolist() == redundant_in(matrix_of(more, positions, 2))
+    stress = np.linalg.svd(matrix_of(more, positions, 2).T)[2][-1]  # the only one
+    assert found.bar_redundant.tolist() == (abs(stress) > 1e-9).tolist()
 
 
 def test_large_frameworks_are_the_parts_they_consist_of():

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The command ``pliant ensemble``, what it made, and whether one process makes the same."""
 
+import contextlib
 import json
 import os
 import random
@@ -58,9 +59,12 @@ def same_bits(folder, whole, **names):
 
 
 def workers_of(client):
-    """The processes in which the workers of a command that runs are."""
+    """The processes in which the workers of a command that runs are.
+
+    Not those below: a worker's copy that is about to become a command looks like a worker.
+    """
     try:
-        children = psutil.Process(client.pid).children(recursive=True)
+        children = psutil.Process(client.pid).children()
         return [child for child in children if "spawn_main" in " ".join(child.cmdline())]
     except psutil.Error:
         return []
@@ -94,6 +98,7 @@ def kill_workers(client, folder, kills, first, gap, seed):
             time.sleep(0.02)
             there = workers_of(client)
         if there:
-            choice.choice(there).kill()
-            killed += 1
+            with contextlib.suppress(psutil.NoSuchProcess):  # it has ended meanwhile
+                choice.choice(there).kill()
+                killed += 1
     return killed

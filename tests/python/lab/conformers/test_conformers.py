@@ -8,6 +8,7 @@ import json
 
 import numpy as np
 import pytest
+from hanging import clock_that_waits_for
 
 import pliant
 
@@ -162,17 +163,17 @@ def test_a_start_does_not_depend_on_the_known_conformer():
     assert np.array_equal(*starts)
 
 
-def test_a_contender_that_fails_or_is_slow_is_a_row(ligands, tmp_path):
+def test_a_contender_that_fails_or_is_slow_is_a_row(ligands, tmp_path, monkeypatch):
     worker = tmp_path / "worker.py"
     worker.write_text(
         "import pathlib, sys, time\n"
         "from pliant._openmm import worker\n"
         "def fail(job): raise RuntimeError('CONF_GEN_FAILED')\n"
         "worker.main(pathlib.Path(sys.argv[1]), int(sys.argv[2]),\n"
-        "            {'fail': fail, 'slow': lambda job: time.sleep(60)})\n"
+        "            {'fail': fail, 'slow': lambda job: time.sleep(3600)})\n"
     )
     jobs = [Job("fail", {}, {}), Job("slow", {}, {}), Job("fail", {}, {})]
-    outcomes, _ = run_jobs(jobs, 2.0, worker=worker)
+    outcomes, _ = run_jobs(jobs, 2.0, clock_that_waits_for(2, monkeypatch), worker)
     subject = measure.Subject(ligands.molecules[0], np.zeros((1, 1), dtype=np.int64))
     entry = contenders.CONTENDERS[0]
     rows = [measure._run(entry, 5, subject, outcome).row for outcome in outcomes]
