@@ -16,7 +16,7 @@ from nbclient import NotebookClient
 from nbformat import NotebookNode
 
 ROOT = Path(__file__).resolve().parents[2]
-SECONDS = 300  #: a cell may take, on a machine that does other things too
+SECONDS = 900  #: a cell may take, on a machine that does other things too
 COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 
 

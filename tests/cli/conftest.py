@@ -45,7 +45,7 @@ def pliant(tmp_path):
 
     def run(*arguments, **options):
         words = [*map(str, arguments)]
-        options = {"cwd": tmp_path, "timeout": 120, **options}
+        options = {"cwd": tmp_path, "timeout": 900, **options}
         if is_forkable(words, **options):
             done = ended_command(words, **options)
         else:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Every block of code of every page is run, compiled or read, and prints what the page says."""
 
-import os
 import re
 
 import make_pictures
@@ -67,7 +66,7 @@ def check_script(block, folder):
     assert status == 0, printed
 
 
-@pytest.mark.timeout(3600 if os.environ.get("PLIANT_ALL") else 300)
+@pytest.mark.timeout(3600)
 @pytest.mark.parametrize("page", WITH_CODE, ids=name)
 def test_code_prints_what_the_page_says(page, tmp_path, monkeypatch):
     transcripts.fill(tmp_path)

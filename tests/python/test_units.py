@@ -150,9 +150,7 @@ def many_of(framework, positions, copies):
 
 
 @pytest.mark.parametrize("technique", ["units", "units_nearest", "auto"])
-@pytest.mark.parametrize(
-    "copies", [3, 30, pytest.param(300, marks=[pytest.mark.long, pytest.mark.timeout(600)])]
-)
+@pytest.mark.parametrize("copies", [3, 30, pytest.param(300, marks=pytest.mark.long)])
 def test_angles_that_were_never_drawn_cost_as_much_a_bar_at_any_size(technique, copies):
     """A protein's angles, up to 10^6 atoms: once 447 s, to no end."""
     structure = expected_warnings.read_without_elements(datafiles.PDB_small)

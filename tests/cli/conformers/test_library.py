@@ -2,6 +2,7 @@
 """pliant conformers: a library in, ranked conformers out; nothing is lost on the way."""
 
 import bz2
+import contextlib
 import gzip
 import json
 import os
@@ -107,17 +108,27 @@ def test_bytes_do_not_depend_on_threads_or_compression(pliant, with_broken, tmp_
     assert not list(tmp_path.glob(".*"))
 
 
+def lines_of(journal):
+    with contextlib.suppress(FileNotFoundError):
+        return journal.read_bytes().count(b"\n")
+    return 0
+
+
 def stopped(command, words, folder, name, number):
-    """Sends a signal to a run that has committed some molecules; its exit code and messages."""
-    with subprocess.Popen(
-        [command, *words, "-o", name], cwd=folder, stderr=subprocess.PIPE, text=True
-    ) as run:
-        journal = folder / f".{name}.journal"
-        while not (journal.exists() and journal.read_bytes().count(b"\n") > 4):
-            assert run.poll() is None
-            time.sleep(0.01)
-        run.send_signal(number)
-        return run.wait(), run.stderr.read()
+    """Sends a signal to a run that has committed some molecules; its exit code and messages.
+
+    Anew, if all was done before it was met.
+    """
+    words, journal = [command, *words, "-o", name], folder / f".{name}.journal"
+    code, said = 3, ""
+    while code in (0, 3):
+        (folder / name).unlink(missing_ok=True)
+        with subprocess.Popen(words, cwd=folder, stderr=subprocess.PIPE, text=True) as run:
+            while run.poll() is None and lines_of(journal) < 5:
+                time.sleep(0.01)
+            run.send_signal(number)
+            code, said = run.wait(), run.stderr.read()
+    return code, said
 
 
 def test_ctrl_c_says_how_to_go_on(command, with_broken, tmp_path):

@@ -110,7 +110,6 @@ def test_two_bonds_of_one_pair_give_the_same_bits(pliant, tmp_path, form):
 
 
 @pytest.mark.long
-@pytest.mark.timeout(1800)
 @pytest.mark.parametrize("form", FORMS)
 def test_contacts_of_all_structures_are_read_back(pliant, tmp_path, form):
     files = structures()

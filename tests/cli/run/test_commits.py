@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 
+import commit_logs
 import pytest
 from commit_logs import commits_in, steps_in, wait_for_commits
 from ensembles import COMMAND, PEPTIDE
@@ -31,12 +32,7 @@ def ran(folder, more=None, code=0):
 
 
 def stopped(folder, count, how=signal.SIGKILL, more=None):
-    """Stops a run as soon as its log has so many commits more; its exit code."""
-    words = words_of(AT_ONCE | (more or {}))
-    with subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL) as child:
-        wait_for_commits(child, folder / "o.log", count)
-        child.send_signal(how)
-        return child.wait()
+    return commit_logs.stopped(words_of(AT_ONCE | (more or {})), folder, count, how)
 
 
 @pytest.fixture(scope="module")

@@ -120,8 +120,10 @@ def test_who_reads_nothing_keeps_nobody_else_from_watching(pliant, command, tmp_
 
 
 def test_who_reads_nothing_is_dropped_and_the_log_says_so(command, tmp_path):
-    options = (*ENDLESS, "--imd-timeout", "0.2")
-    with served_run(command, tmp_path, *options) as run, Client(port=run.port) as client:
+    with (
+        served_run(command, tmp_path, *ENDLESS, patience=0.2) as run,
+        Client(port=run.port) as client,
+    ):
         client.read()
         said = run.wait_for(r"^warning: IMD client (.*)$", run.process.stderr)
     assert re.fullmatch(r"127\.0\.0\.1:\d+ dropped: read nothing for 0\.2 s", said), said

@@ -7,7 +7,7 @@ import signal
 import subprocess
 
 import pytest
-from commit_logs import commits_in, wait_for_commits
+from commit_logs import commits_in, stopped
 from ensembles import COMMAND, PEPTIDE
 
 FRAMES, FIRST = 400, 20
@@ -18,22 +18,14 @@ def words_of(*more):
     return [str(word) for word in (COMMAND, "sample", PEPTIDE, *SAMPLE, "--json", *more)]
 
 
-def stopped(folder, count, how):
-    """Stops a sample as soon as its log has so many commits more; its exit code."""
-    words = words_of("-o", "o.h5md", "--commits", "o.log", "--commit-seconds", 0)
-    with subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL) as child:
-        wait_for_commits(child, folder / "o.log", count)
-        child.send_signal(how)
-        return child.wait()
-
-
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGUSR1])
 def test_stopped_after_any_number_of_commits(tmp_path, how):
     draw = random.Random(how)
     words = words_of("-o", "whole.h5md", "--commits", "whole.log")
     subprocess.run(words, cwd=tmp_path, check=True, stdout=subprocess.DEVNULL)
+    words = words_of("-o", "o.h5md", "--commits", "o.log", "--commit-seconds", 0)
     for _ in range(4):
-        assert stopped(tmp_path, draw.randrange(1, 60), how) in (-how, 130)
+        assert stopped(words, tmp_path, draw.randrange(1, 60), how) in (-how, 130)
     done = commits_in(tmp_path / "o.log")[-1].step + 1 - FIRST
     assert 0 < done < FRAMES
     words = words_of("-o", "o.h5md", "--commits", "o.log")

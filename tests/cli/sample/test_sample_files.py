@@ -86,7 +86,6 @@ def test_files_as_they_come(pliant, tmp_path, source):
 
 
 @pytest.mark.long
-@pytest.mark.timeout(900)
 @pytest.mark.parametrize("source", [row[0] for row in LATER], ids=lambda source: source.file)
 def test_more_files_as_they_come(pliant, tmp_path, source):
     is_sampled(pliant, tmp_path, source)

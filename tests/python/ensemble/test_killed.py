@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Nothing is lost or counted twice, whoever is killed in the midst of it."""
 
+import contextlib
 import signal
 import subprocess
 import sys
@@ -59,7 +60,8 @@ def test_all_workers_killed_while_they_start(tmp_path, whole):
     wait_for_shards(client, folder, 2)
     for _ in range(4):  # those that come in their place, too, before they can do anything
         for worker in workers_of(client):
-            worker.kill()
+            with contextlib.suppress(psutil.NoSuchProcess):  # it has ended meanwhile
+                worker.kill()
         time.sleep(0.2)
     _, err = client.communicate(timeout=900)
     assert client.returncode == 0, err
@@ -91,10 +93,11 @@ def test_nothing_outlives_the_command(tmp_path, how, shards):
     folder = tmp_path / "many"
     client = start(PEPTIDE, "-o", folder, *LONG, "--shard-size", 8, "--workers", 2)
     wait_for_shards(client, folder, shards)
-    while len(workers_of(client)) < 2 and client.poll() is None:
+    children = []
+    while len(workers_of(client)) < 2 or len(children) < 2 + bool(shards):
+        assert client.poll() is None
         time.sleep(0.02)
-    children = psutil.Process(client.pid).children(recursive=True)
-    assert len(children) >= 2 + bool(shards)
+        children = psutil.Process(client.pid).children(recursive=True)
     client.send_signal(how)
     assert not psutil.wait_procs(children, timeout=900)[1]
     client.communicate(timeout=900)
@@ -102,7 +105,8 @@ def test_nothing_outlives_the_command(tmp_path, how, shards):
 
 
 def test_one_shard_has_one_worker(tmp_path):
-    client = start(PEPTIDE, "-o", tmp_path / "many", *LONG, "--shard-size", 256, "--workers", 60)
+    words = ("--walkers", 256, "--shard-size", 256, "--steps", 10**9, "--every", 10**8)
+    client = start(PEPTIDE, "-o", tmp_path / "many", *words, "--workers", 60)
     while not list((tmp_path / "many").glob("making/*")) and client.poll() is None:
         time.sleep(0.02)
     assert len(workers_of(client)) == 1
@@ -153,7 +157,6 @@ def test_a_second_command_leaves_the_plan_of_the_first(tmp_path):
 
 
 @pytest.mark.long
-@pytest.mark.timeout(1800)
 def test_ten_thousand_walkers_and_twenty_kills(tmp_path):
     folder, whole = tmp_path / "many", tmp_path / "whole.h5md"
     run = ("--steps", 100, "--every", 50)

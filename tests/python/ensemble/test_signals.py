@@ -36,7 +36,7 @@ def at_work(folder, disk):
 
 def expect_end(client, name):
     code, said = ENDS[name]
-    _, err = client.communicate(timeout=200)
+    _, err = client.communicate(timeout=900)
     assert (client.returncode, err.decode()) == (code, f"pliant ensemble: {said}\n")
 
 

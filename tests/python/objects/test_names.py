@@ -65,7 +65,6 @@ REVEALED = [
 
 
 @pytest.mark.long
-@pytest.mark.timeout(900)
 def test_mypy_sees_what_is_wrong(tmp_path):
     pytest.importorskip("mypy")
     (tmp_path / "typed.py").write_text(TYPED)

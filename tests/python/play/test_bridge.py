@@ -27,6 +27,7 @@ PEPTIDE = MOLECULES / "peptide_20.pdb"
 BARE = b"<meta content=\"default-src 'none'; x\">" + page.PLACE
 ENDLESS = ("--steps", "1000000000", "--every", "1000000", "--force", "0", "--damping", "1")
 NUMBERS = 6
+OPEN = {"open_timeout": 900}  # however busy the machine is
 
 
 @pytest.fixture(autouse=True)
@@ -68,7 +69,7 @@ class Served:
 
     def talk(self, address=None, origin=None, **more):
         live = (address or self.address).replace("http:", "ws:") + "live"
-        return sync_client.connect(live, origin=origin or f"http://{self.host}", **more)
+        return sync_client.connect(live, origin=origin or f"http://{self.host}", **OPEN, **more)
 
     def end(self):
         self.thread.join(900)
@@ -208,7 +209,7 @@ def test_who_comes_from_elsewhere_gets_no_frame(tmp_path):
                 pass
             assert refused.value.response.status_code == status
         live = served.address.replace("http:", "ws:") + "live"
-        with pytest.raises(InvalidStatus) as refused, sync_client.connect(live):
+        with pytest.raises(InvalidStatus) as refused, sync_client.connect(live, **OPEN):
             pass  # what says no origin is no browser
         assert refused.value.response.status_code == 403
         with served.talk() as talk:

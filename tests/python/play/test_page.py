@@ -55,7 +55,7 @@ def node(script, *words, timeout):
 # What each file of tests does, by the word that chooses it.
 @pytest.mark.parametrize("tests", sorted(file.name[:-4] for file in TESTS.glob("*.page.mjs")))
 def test_what_a_person_does(tests):
-    done = node("run.mjs", tests, timeout=900)
+    done = node("run.mjs", tests, timeout=3000)
     assert done.returncode == 0, done.stdout[-4000:]
 
 

@@ -70,7 +70,7 @@ def test_another_host_is_refused(server, host):
 
 
 def connect(server, text=b""):
-    client = socket.create_connection(("127.0.0.1", server.server_port), timeout=100)
+    client = socket.create_connection(("127.0.0.1", server.server_port), timeout=900)
     client.sendall(text)
     return client
 

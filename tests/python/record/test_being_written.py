@@ -56,12 +56,11 @@ def test_every_open_reads_all_that_is_there(written):
     while last_of(path) == 0:
         pass
     counts = []
-    for _ in range(25):
+    while len(counts) < 75 or counts[-1] == counts[0]:  # a later reader sees new frames
         counts.append(last_of(path))
         counts.append(read_record(path).complete_frames)
         counts.append(read_recording(path).frame_count)
     assert counts == sorted(counts)
-    assert counts[-1] > counts[0]  # a later reader sees new frames
 
 
 def test_it_is_said_who_writes(written):

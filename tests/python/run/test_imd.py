@@ -290,7 +290,7 @@ def test_our_client_reads_the_other_byte_order():
 )
 def test_our_client_trusts_no_server(sent, message):
     with socket.create_server(("127.0.0.1", 0)) as listener:
-        listener.settimeout(60)
+        listener.settimeout(900)
 
         def serve():
             peer, _ = listener.accept()

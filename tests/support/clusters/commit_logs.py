@@ -2,6 +2,7 @@
 """What a log of commits holds, read without Pliant."""
 
 import struct
+import subprocess
 import time
 from dataclasses import dataclass
 
@@ -60,6 +61,21 @@ def wait_for_commits(child, path, count):
     goal = log.now() + count
     while log.now() < goal and child.poll() is None:
         time.sleep(0.0005)
+
+
+def stopped(words, folder, count, how):
+    """Stops a command as soon as its o.log has so many commits more; its exit code.
+
+    Anew, if all was done before it was met.
+    """
+    code = 0
+    while code == 0:
+        (folder / "o.h5md").unlink(missing_ok=True)
+        with subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL) as child:
+            wait_for_commits(child, folder / "o.log", count)
+            child.send_signal(how)
+            code = child.wait()
+    return code
 
 
 def steps_in(path):

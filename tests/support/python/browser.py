@@ -124,7 +124,7 @@ class Page:
                 return answer["result"]
             self._keep(answer)
 
-    def _receive(self, seconds=90):
+    def _receive(self, seconds=900):
         while b"\0" not in self._rest:
             if not select.select([self._in], [], [], seconds)[0]:
                 raise AssertionError("the browser does not answer")

@@ -41,7 +41,7 @@ class Command:
     def run(self, *arguments, cwd):
         """Its result; output as bytes."""
         process = self.start(*arguments, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        out, errors = process.communicate(timeout=600)
+        out, errors = process.communicate(timeout=1800)
         return subprocess.CompletedProcess(process.args, process.returncode, out, errors)
 
     def succeed(self, *arguments, cwd):

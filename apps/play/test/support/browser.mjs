@@ -15,7 +15,7 @@ export const WIDE = {width: 1366, height: 768};
 const SMALL = {width: 1000, height: 600};
 export const PHONE = {width: 390, height: 844};
 
-const WAIT = 20000;  // ms; what takes longer hangs
+const WAIT = 300000;  // ms; what takes longer hangs, also on a busy machine
 
 const SOFTWARE = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist', '--disable-gpu-watchdog', '--no-sandbox', '--disable-dev-shm-usage'];
@@ -26,7 +26,7 @@ let shared = null;
 /** The browser of all tests; ended by quit(). */
 async function launch() {
   browser ??= await chromium.launch({
-    executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args: SOFTWARE,
+    executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args: SOFTWARE, timeout: WAIT,
   });
   return browser;
 }
@@ -43,7 +43,7 @@ export function sharedPage() {
 
 /** A tab at an address, with what it asked the network for and what it complained about. With less
  * motion the page begins without its start scene. */
-export async function openTab(address, {viewport = WIDE, theme = 'light', wait = 3 * WAIT, ...more} = {}) {
+export async function openTab(address, {viewport = WIDE, theme = 'light', wait = WAIT, ...more} = {}) {
   const context = await (await launch()).newContext({
     viewport, colorScheme: theme, acceptDownloads: true, reducedMotion: 'reduce', ...more,
   });
@@ -62,7 +62,7 @@ export async function openTab(address, {viewport = WIDE, theme = 'light', wait =
 export async function openPage({address, ...more} = {}) {
   const file = join(built, 'pliant.html');
   if (!address && !existsSync(file)) throw new Error(`${file} is missing: ./dev play builds it`);
-  const page = await openTab(address ?? pathToFileURL(file).href, {wait: WAIT, ...more});
+  const page = await openTab(address ?? pathToFileURL(file).href, more);
   await page.evaluate(() => window.pliant.then((parts) => { window.P = parts; }));
   page.firstTitle = await page.textContent('#title');
   return page;

@@ -43,7 +43,7 @@ export async function openFirefox(viewport = {width: 1000, height: 600}) {
   });
   const close = async () => { await browser.close(); screen.kill(); };
   const page = await browser.newPage();
-  page.setDefaultTimeout(60000);
+  page.setDefaultTimeout(300000);
   await page.setViewport(viewport);
   await page.goto(pathToFileURL(join(built, 'pliant.html')).href);
   await page.evaluate(() => window.pliant.then((parts) => { window.P = parts; }));

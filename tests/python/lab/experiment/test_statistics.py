@@ -5,7 +5,7 @@ import statistics
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from pliant.lab.experiment.statistics import (
     Evidence,
@@ -25,6 +25,7 @@ def stats(rows, replicates=200):
     return statistics_of(Sample(rows.reshape(-1), graphs.reshape(-1), counts))
 
 
+@settings(deadline=None)
 @given(st.lists(st.lists(st.integers(1, 50), min_size=3, max_size=3), min_size=2, max_size=6))
 def test_the_sample_itself_against_the_standard_library(rows):
     found = stats(rows, replicates=3)

@@ -293,7 +293,6 @@ def test_wrong_options_are_refused(words, said, capsys):
 
 
 @pytest.mark.long
-@pytest.mark.timeout(1800)
 @pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 def test_the_whole_table_is_exact():
     """Goals of agreement are measured, not asserted: what is asserted is that frames are exact."""
