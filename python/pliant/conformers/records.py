@@ -21,6 +21,7 @@ END = "$$$$"
 MOST_TEXT, MOST_LINES = 20_000_000, 200_000
 TOO_LONG = "expected a record of at most 20 MB and 200000 lines, found more"
 MOST_NAME = 60  #: letters of the name of a record that is too long
+LONGEST_NAME = 60  #: letters of a name in messages
 HEADERS = ("smiles", "canonical_smiles", "isomeric_smiles")  #: first words of a line of titles
 
 
@@ -39,6 +40,11 @@ class Record:
     def place(self) -> str:
         """ "library.sdf record 3", for messages."""
         return f"{self.source} record {self.number}" if self.source else f"record {self.number}"
+
+
+def short(name: str) -> str:
+    """A name, or a SMILES, as messages have it."""
+    return name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
 
 
 def format_of(path: str | os.PathLike[str]) -> str:

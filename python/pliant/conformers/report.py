@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections import Counter
 
 from pliant.conformers.library import LibraryDone
+from pliant.conformers.records import short
 from pliant.console import counted, printable_name
 
 SALT = "molecules is kept"  #: end of the note on a salt
@@ -17,7 +18,7 @@ def lines_of(found: LibraryDone) -> list[str]:
     given = found.source.file
     records = counted(len(found.outcomes), "record")
     rows = [
-        ("input", f"{printable_name(given)}, {records}" if given else found.source.smiles),
+        ("input", f"{printable_name(given)}, {records}" if given else short(found.source.smiles)),
         ("molecules", _molecules(found)),
         ("conformers", _conformers(found)),
         ("drawn", _drawn(found)),

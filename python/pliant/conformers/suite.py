@@ -14,7 +14,7 @@ from pliant._processes import usual_workers
 from pliant._refusals import shown
 from pliant.conformers.make import make
 from pliant.conformers.options import ConformerOptions
-from pliant.conformers.records import is_library, read_records, smiles_record
+from pliant.conformers.records import is_library, read_records, short, smiles_record
 from pliant.conformers.repeated import Repeated, canonical_smiles
 from pliant.conformers.results import Conformers, FailedMolecule
 from pliant.conformers.subject import Subject, subject_of, subject_of_mol, subject_of_structure
@@ -201,7 +201,7 @@ def _of_many(given: Iterable[Any], options: ConformerOptions, threads: int) -> I
 
 
 def _called(place: str, name: str) -> str:
-    return f"{place} ({name})" if name else place
+    return f"{place} ({short(name)})" if name else place
 
 
 def _name(molecule: Any) -> str:

@@ -18,7 +18,7 @@ from pliant._extras import MissingPackageError
 from pliant._processes import end_with_parent
 from pliant.conformers.make import as_sdf, make
 from pliant.conformers.options import ConformerOptions
-from pliant.conformers.records import Record
+from pliant.conformers.records import Record, short
 from pliant.conformers.repeated import canonical_smiles
 from pliant.conformers.subject import subject_of
 
@@ -43,7 +43,7 @@ class Outcome:
     @property
     def called(self) -> str:
         """ "record 3 (aspirin)", for messages."""
-        return f"record {self.number}" + (f" ({self.name})" if self.name else "")
+        return f"record {self.number}" + (f" ({short(self.name)})" if self.name else "")
 
 
 def outcome_of(

@@ -83,6 +83,15 @@ def test_a_smiles_is_one_word(pliant, tmp_path, smiles, error):
     ended = pliant("conformers", "--smiles", smiles, "-o", "out.sdf")
     assert (ended.code, ended.out) == (2, "")
     assert ended.err == f"pliant conformers: error: --smiles: {error}\n"
+
+
+def test_long_names_are_short_in_messages(pliant, tmp_path):
+    ended = pliant("conformers", "--smiles", 200 * "C", "-o", "out.sdf")
+    assert ended.code == 1
+    assert ended.err.splitlines()[0] == (
+        f"warning: record 1 ({60 * 'C'}...): expected at most 500 atoms to make 3-D, hydrogens "
+        "included, found 602"
+    )
     assert list(tmp_path.iterdir()) == []
 
 
