@@ -100,7 +100,7 @@ def to_rdkit(source: Molecule | Structure) -> Mol:
     from rdkit import Chem
 
     frames = Trajectory(source)
-    molecule = _bonded(frames.structure)
+    molecule = bonded(frames.structure)
     for positions in frames:
         conformer = Chem.Conformer(len(positions))
         conformer.SetPositions(np.ascontiguousarray(positions))
@@ -118,7 +118,7 @@ def to_rdkit(source: Molecule | Structure) -> Mol:
     return made
 
 
-def _bonded(structure: Structure) -> Any:
+def bonded(structure: Structure) -> Any:
     """Atoms and bonds, without conformers."""
     from rdkit import Chem
 
@@ -133,7 +133,7 @@ def _bonded(structure: Structure) -> Any:
     for a, b in bonds[orders == 4].tolist():
         for atom in (a, b):
             molecule.GetAtomWithIdx(atom).SetIsAromatic(True)
-    charges = _charges(structure)
+    charges = charges_of(structure)
     on_carbon = _has_hydrogens_on_carbon(structure)
     named = zip(molecule.GetAtoms(), structure.names, charges, strict=True)
     for k, (atom, name, charge) in enumerate(named):
@@ -154,7 +154,7 @@ _AROMATIC = 4  #: order
 _CHARGED = {(7, 4): 1, (7, 2): -1, (8, 3): 1, (8, 1): -1, (16, 1): -1, (16, 3): 1, (15, 4): 1}
 
 
-def _charges(structure: Structure) -> npt.NDArray[np.int64]:
+def charges_of(structure: Structure) -> npt.NDArray[np.int64]:
     """(N,) those of the structure, else by valence; none where it has no hydrogens."""
     if len(structure.charges):
         return structure.charges

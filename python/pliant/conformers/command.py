@@ -16,7 +16,7 @@ from pliant.conformers.core import A_CONFORMER, FRAMES
 from pliant.conformers.journal import Journal
 from pliant.conformers.library import Source, begin, complete, resume
 from pliant.conformers.options import SALTS, ConformerOptions
-from pliant.conformers.records import SDF, format_of, is_library
+from pliant.conformers.records import LIGANDS, SMILES, format_of
 from pliant.conformers.report import lines_of
 from pliant.conformers.workers import Outcome
 
@@ -32,7 +32,14 @@ EPILOG = """\
 FILE is an SDF or MOL file (V2000, V3000) in 3-D with hydrogens, of any number of records, or lines
 of a SMILES and a name (.smi), which RDKit makes 3-D; each also as .gz, .bz2 or .xz. Of a salt the
 largest molecule is kept. A record that cannot be used is named with the reason, and the rest goes
-on. The output does not depend on --threads; after a kill --continue gives the same bytes.
+on.
+
+FILE may also be the PDB, mmCIF or XYZ file of one ligand. Bond orders are those of the file
+(chem_comp_bond of mmCIF, doubled CONECT of PDB). Where it has none, RDKit guesses them from the
+hydrogens, if all are there. With --smiles TEXT, bond orders, charges and hydrogens are those of the
+SMILES, and heavy atoms stay where they are. A SMILES of another molecule or isomer is refused.
+
+The output does not depend on --threads; after a kill --continue gives the same bytes.
 
 Each conformer has the data items pliant_conformer (from 1, best first), pliant_start,
 pliant_energy with pliant_energy_name, pliant_worst_bar (largest error of a held length), and
@@ -45,6 +52,7 @@ examples:
   pliant conformers library.smi.gz -o out.sdf.gz --max 20 --window 10
   pliant conformers --smiles "CC(=O)Oc1ccccc1C(=O)O" -o aspirin.sdf
   pliant conformers drawings.sdf --embed -o out.sdf --energy MMFF94s --minimise
+  pliant conformers ligand.pdb --smiles "CC(=O)Oc1ccccc1C(=O)O" -o out.sdf
   pliant conformers --continue out.sdf              after Ctrl-C or a crash
   pliant conformers library.sdf --shard 3/16 -o part03.sdf     on the 3rd of 16 machines
 """
@@ -55,8 +63,13 @@ def make_parser() -> console.Parser:
     usual = ConformerOptions()
     parser = console.Parser("conformers", DESCRIPTION, EPILOG, COMMON)
     add = parser.add_argument
-    add("file", metavar="FILE", nargs="?", help="SDF, MOL or SMILES file")
-    add("--smiles", metavar="TEXT", help="instead of FILE: one molecule, through RDKit")
+    text = "SDF, MOL or SMILES file; PDB, mmCIF or XYZ file of one ligand"
+    add("file", metavar="FILE", nargs="?", help=text)
+    text = (
+        "instead of FILE: one molecule, through RDKit; with a ligand: its bond orders, charges and "
+        "hydrogens"
+    )
+    add("--smiles", metavar="TEXT", help=text)
     text = "SDF to write, or .sdf.gz (default: FILE's name-conformers.sdf)"
     add("-o", "--output", metavar="FILE", help=text)
     text = "go on with an unfinished output, as if it had never stopped"
@@ -157,6 +170,11 @@ def _conformers(arguments: argparse.Namespace) -> int:
 
 
 def _begun(arguments: argparse.Namespace) -> Journal:
+    is_ligand = arguments.file is not None and format_of(arguments.file) in LIGANDS
+    if arguments.file is None and arguments.smiles is None:
+        raise OptionError("expected FILE or --smiles TEXT, or --continue FILE")
+    if arguments.file is not None and arguments.smiles is not None and not is_ligand:
+        raise OptionError("--smiles: expected no FILE, or a PDB, mmCIF or XYZ file of one ligand")
     options = ConformerOptions(
         most=arguments.max,
         frames=arguments.frames,
@@ -170,16 +188,16 @@ def _begun(arguments: argparse.Namespace) -> Journal:
         salts=arguments.salts,
         amides=arguments.amides,
         max_input=arguments.max_input * 10**6,
+        smiles=arguments.smiles if is_ligand else None,
         dashes="--",
     )
-    if (arguments.file is None) == (arguments.smiles is None):
-        raise OptionError("expected FILE or --smiles TEXT, or --continue FILE")
     options.check()
     output = _output(arguments)
-    source = Source(arguments.file or "", arguments.smiles or "", arguments.shard)
-    if arguments.smiles is not None or (
-        is_library(arguments.file) and format_of(arguments.file) not in SDF
-    ):
+    smiles = arguments.smiles or ""
+    source = Source(arguments.file or "", "" if is_ligand else smiles, arguments.shard)
+    if is_ligand:
+        need("a PDB, mmCIF or XYZ file", "rdkit")
+    elif arguments.smiles is not None or format_of(arguments.file) in SMILES:
         need("a SMILES", "rdkit")
     if arguments.smiles is not None:
         _check_smiles(arguments.smiles)

@@ -60,6 +60,15 @@ def is_bare(structure: Structure, missing: Mapping[int, int]) -> bool:
     return bool(missing) and not (structure.elements == 1).any()
 
 
+def labels_of(molecule: Mol) -> list[str]:
+    """Names of its atoms in messages: those of the PDB, else elements with numbers from 1."""
+    atoms = [(atom, atom.GetPDBResidueInfo()) for atom in molecule.GetAtoms()]
+    return [
+        known.GetName().strip() if known else f"{atom.GetSymbol()}{atom.GetIdx() + 1}"
+        for atom, known in atoms
+    ]
+
+
 def check_addable(missing: Mapping[int, int], labels: Sequence[str], place: str) -> None:
     """Raises InputError where RDKit, which adds hydrogens, is not installed."""
     try:
@@ -81,7 +90,7 @@ def completed(
     lacking = {k: count for k, count in totals.items() if count}
     if not lacking:
         return molecule, []
-    made = Chem.AddHs(molecule, addCoords=True, onlyOnAtoms=list(lacking), addResidueInfo=True)
+    made = Chem.AddHs(molecule, addCoords=True, onlyOnAtoms=list(lacking))
     count = sum(lacking.values())
     were = f"{counted(count, 'missing hydrogen')} {'was' if count == 1 else 'were'} added"
     return made, [f"{were}: {_named(lacking, labels)}"]

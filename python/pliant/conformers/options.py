@@ -34,6 +34,7 @@ class ConformerOptions:
     salts: str = "largest"  #: of several molecules in a record: the largest, or refuse
     amides: bool = False  #: secondary amides turn, too
     max_input: int = 2_000_000_000  #: bytes of a library, once it is decompressed
+    smiles: str | None = None  #: of a ligand: its bond orders, charges and hydrogens
     dashes: str = ""  #: before the names of options in messages: "--" for the command
 
     @property
@@ -51,6 +52,11 @@ class ConformerOptions:
     def of_more_input(self) -> str:
         """The option that allows larger libraries."""
         return "--max-input" if self.dashes else "max_input"
+
+    @property
+    def asked_smiles(self) -> str:
+        """What gives the bond orders, charges and hydrogens of a ligand."""
+        return "pliant conformers FILE --smiles TEXT" if self.dashes else "smiles=TEXT"
 
     def check(self) -> None:
         """Raises OptionError naming the option, what was expected and what was found."""

@@ -15,6 +15,12 @@ from pliant.conformers.options import USUAL, ConformerOptions
 
 SDF = (".sdf", ".sd", ".mol", ".mdl")
 SMILES = (".smi", ".smiles")
+#: Formats of files of one ligand, by their endings.
+LIGANDS = {
+    **dict.fromkeys((".pdb", ".ent", ".pdbqt"), "pdb"),
+    **dict.fromkeys((".cif", ".mmcif", ".mcif"), "mmcif"),
+    **dict.fromkeys((".xyz", ".extxyz"), "xyz"),
+}
 COMPRESSED = (".gz", ".bz2", ".xz")
 END = "$$$$"
 #: Letters and lines of a record: more is no molecule, and must not fill the memory.
@@ -35,6 +41,7 @@ class Record:
     is_smiles: bool = False
     source: str = ""  #: name of the file
     fault: str = ""  #: why it was not read
+    format: str = "sdf"  #: or that of a ligand
 
     @property
     def place(self) -> str:
@@ -57,7 +64,7 @@ def format_of(path: str | os.PathLike[str]) -> str:
 
 def is_library(path: str | os.PathLike[str]) -> bool:
     """Whether the name is that of a file of small molecules."""
-    return format_of(path) in SDF + SMILES
+    return format_of(path) in (*SDF, *SMILES, *LIGANDS)
 
 
 def read_records(
@@ -69,12 +76,14 @@ def read_records(
     where it holds more than `max_input`, or where a compressed file ends early.
     """
     name, kind = os.fspath(path), format_of(path)
-    if kind not in SDF + SMILES:
+    if not is_library(name):
         raise InputError(
-            f"{name}: expected SDF, MOL or SMILES ({', '.join(SDF[:1] + SDF[2:3] + SMILES[:1])}, "
-            "each also .gz, .bz2, .xz); pliant sample takes other formats"
+            f"{name}: expected SDF, MOL, SMILES, PDB, mmCIF or XYZ (.sdf, .mol, .smi, .pdb, .cif, "
+            ".xyz, each also .gz, .bz2, .xz)"
         )
-    split = _sdf_records if kind in SDF else _smiles_records
+    split = _ligand_records
+    if kind not in LIGANDS:
+        split = _sdf_records if kind in SDF else _smiles_records
     lines = lines_of(name, MOST_TEXT, options.max_input, options.of_more_input)
     yield from split(lines, Path(name).name)
 
@@ -114,6 +123,22 @@ def _smiles_records(lines: Iterable[str], source: str) -> Iterator[Record]:
             continue
         number += 1
         yield smiles_record(words[0], words[1].strip() if len(words) > 1 else "", number, source)
+
+
+def _ligand_records(lines: Iterable[str], source: str) -> Iterator[Record]:
+    kept, size = list[str](), 0
+    for line in lines:
+        size += len(line)
+        if size > MOST_TEXT:
+            raise InputError(
+                f"{source}: expected one ligand, found more than {MOST_TEXT // 10**6} MB; "
+                "pliant sample takes proteins"
+            )
+        kept.append(line)
+    kind = format_of(source)
+    name = source[: source.lower().rindex(kind)]
+    if _has_text(kept):
+        yield Record(1, "".join(kept), name, source=source, format=LIGANDS[kind])
 
 
 def smiles_record(smiles: str, name: str = "", number: int = 1, source: str = "") -> Record:

@@ -14,11 +14,18 @@ import numpy.typing as npt
 from pliant import _core
 from pliant._core import InputError, Structure
 from pliant._extras import need
-from pliant._refusals import shown
 from pliant._said import noted
-from pliant.conformers.hydrogens import check_addable, completed, is_bare, missing_hydrogens
+from pliant.conformers.hydrogens import (
+    check_addable,
+    completed,
+    is_bare,
+    labels_of,
+    missing_hydrogens,
+)
+from pliant.conformers.ligand import MOST_ATOMS, needs_orders, ordered
 from pliant.conformers.mol_block import MolBlock, block_of, filled, one_line, parse
 from pliant.conformers.options import ConformerOptions
+from pliant.conformers.parts import check_elements, check_elements_of_mol, kept_part
 from pliant.conformers.records import Record
 from pliant.conformers.v3000 import fits_v2000, text_of
 
@@ -26,7 +33,6 @@ if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
 HEADER = ("_Name", "_MolFileInfo", "_MolFileComments")  #: lines of a record, as RDKit calls them
-COUNTER_IONS = frozenset("Li Na K Rb Cs Fr Be Mg Ca Sr Ba Ra".split())
 
 
 @dataclass
@@ -65,18 +71,19 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
         raise InputError(f"{record.place}: {record.fault}")
     if record.is_smiles:
         return _of_smiles(record, options)
+    if record.format != "sdf":
+        return _of_ligand(record, options)
     with noted() as notes:
-        structure = _core.read_text(record.text, record.place, format="sdf")
+        structure = _structure_of(record)
     block = parse(record.text)
-    _check_elements(
+    check_elements(
         structure, [(before + after).split()[0] for before, after in block.atoms], record.place
     )
     parts, labels = block.components(), _labels(structure.symbols.tolist())
     if len(parts) > 1:
-        kept = largest([(_heavy(structure, part), len(part)) for part in parts])
+        kept, said = kept_part(_symbols(structure, parts), options, record.place)
         labels = [labels[k] for k in parts[kept]]
-        notes.append(_salt_note(len(parts), options, record.place))
-        _check_left_out(_symbols(structure, parts), kept, record.place)
+        notes.append(said)
         block = block.part(parts[kept])
         text = text_of(block, structure.positions[parts[kept]], structure.masses[parts[kept]])
         with noted():
@@ -92,6 +99,27 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
     return _completed(subject, missing, labels, record.place) if missing else subject
 
 
+def _structure_of(record: Record) -> Structure:
+    text = record.text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+    return _core.read_text(text, record.place, format=record.format)
+
+
+def _of_ligand(record: Record, options: ConformerOptions) -> Subject:
+    with noted() as notes:
+        structure = _structure_of(record)
+    most = max(map(len, block_of(structure).components()))
+    if most > MOST_ATOMS:
+        raise InputError(
+            f"{record.place}: expected one ligand of at most {MOST_ATOMS} atoms, found a molecule "
+            f"of {most}; pliant sample takes proteins"
+        )
+    if most == 1 and options.smiles is None:
+        raise InputError(f"{record.place}: expected one ligand, found atoms without any bond")
+    subject = subject_of_structure(structure, options, record.name)
+    subject.notes[:0] = notes
+    return subject
+
+
 def subject_of_mol(
     molecule: Mol, options: ConformerOptions, place: str = "the molecule"
 ) -> Subject:
@@ -99,16 +127,14 @@ def subject_of_mol(
     from rdkit import Chem
 
     name = one_line(molecule.GetProp("_Name")) if molecule.HasProp("_Name") else ""
-    _check_elements_of_mol(molecule, place)
+    check_elements_of_mol(molecule, place)
     notes, whole = [], molecule
     parts = Chem.GetMolFrags(molecule, asMols=True)
-    labels = _labels(atom.GetSymbol() for atom in molecule.GetAtoms())
+    labels = labels_of(molecule)
     if len(parts) > 1:
-        notes.append(_salt_note(len(parts), options, place))
-        sizes = [(part.GetNumHeavyAtoms(), part.GetNumAtoms()) for part in parts]
-        kept = largest(sizes)
         symbols = [[atom.GetSymbol() for atom in part.GetAtoms()] for part in parts]
-        _check_left_out(symbols, kept, place)
+        kept, said = kept_part(symbols, options, place)
+        notes.append(said)
         molecule = parts[kept]
         labels = [labels[k] for k in Chem.GetMolFrags(whole)[kept]]
         for key, value in whole.GetPropsAsDict(
@@ -131,35 +157,53 @@ def subject_of_mol(
     return subject
 
 
-def subject_of_structure(structure: Structure, options: ConformerOptions) -> Subject:
-    """Of a structure with bonds, whose bond orders are known."""
+def subject_of_structure(
+    structure: Structure, options: ConformerOptions, name: str = ""
+) -> Subject:
+    """Of a structure with bonds; RDKit finds bond orders where not all are known."""
     place = structure.source or structure.title or "the structure"
-    _check_elements(structure, structure.symbols.tolist(), place)
+    check_elements(structure, structure.symbols.tolist(), place)
     block = block_of(structure)
-    parts, notes = block.components(), list[str]()
-    labels = _labels(structure.symbols.tolist())
+    parts, notes, labels = block.components(), list[str](), _names(structure)
     if len(parts) > 1:
-        largest_part = largest([(_heavy(structure, part), len(part)) for part in parts])
-        kept = parts[largest_part]
+        largest, said = kept_part(_symbols(structure, parts), options, place)
+        kept = parts[largest]
         labels = [labels[k] for k in kept]
-        notes.append(_salt_note(len(parts), options, place))
-        _check_left_out(_symbols(structure, parts), largest_part, place)
+        notes.append(said)
         block, is_kept = block.part(kept), "index " + " ".join(map(str, kept))
         with noted():
             structure = structure.select(is_kept)
+    if needs_orders(structure, options):
+        molecule, more, warned = ordered(structure, options, place)
+        molecule.SetProp("_Name", name or structure.title)
+        subject = subject_of_mol(molecule, options, place)
+        subject.notes[:0], subject.warnings[:0] = notes + more, warned
+        return subject
     missing = missing_hydrogens(structure, block.radicals)
     if structure.is_drawing or is_bare(structure, missing):
-        what = "a 2-D drawing" if structure.is_drawing else "without its hydrogens"
-        raise InputError(
-            f"{place}: the molecule is {what}: "
-            "pliant.conformers(pliant.to_rdkit(structure), embed=True)"
-        )
-    subject = Subject(structure, block, structure.title, notes)
+        what, remedy = "without its hydrogens", f"{options.asked_smiles} gives them"
+        if structure.is_drawing:
+            what = "a 2-D drawing"
+            remedy = "pliant.conformers(pliant.to_rdkit(structure), embed=True)"
+        raise InputError(f"{place}: the molecule is {what}: {remedy}")
+    block.title = name or structure.title
+    subject = Subject(structure, block, block.title, notes)
     return _completed(subject, missing, labels, place) if missing else subject
+
+
+def _symbols(structure: Structure, parts: list[list[int]]) -> list[list[str]]:
+    return [structure.symbols[part].tolist() for part in parts]
 
 
 def _labels(symbols: Iterable[str]) -> list[str]:
     return [f"{symbol}{number}" for number, symbol in enumerate(symbols, 1)]
+
+
+def _names(structure: Structure) -> list[str]:
+    """Of atoms in messages: those of residues, else elements with numbers from 1."""
+    known = zip(structure.names, structure.residue_names, strict=True)
+    numbered = zip(known, _labels(structure.symbols.tolist()), strict=True)
+    return [label if residue == "UNK" else str(name) for (name, residue), label in numbered]
 
 
 def _completed(subject: Subject, missing: dict[int, int], labels: list[str], place: str) -> Subject:
@@ -250,50 +294,3 @@ def _read_by_rdkit(text: str, place: str) -> Mol:
     if molecule is None:
         raise InputError(f"{place}: RDKit does not accept the molecule")
     return molecule
-
-
-def largest(sizes: list[tuple[int, int]]) -> int:
-    """The part with most heavy atoms, then most atoms; the first of equals."""
-    return max(range(len(sizes)), key=lambda k: (*sizes[k], -k))
-
-
-def _heavy(structure: Structure, part: list[int]) -> int:
-    return int(np.count_nonzero(structure.elements[part] != 1))
-
-
-def _symbols(structure: Structure, parts: list[list[int]]) -> list[list[str]]:
-    return [structure.symbols[part].tolist() for part in parts]
-
-
-def _check_elements(structure: Structure, written: list[str], place: str) -> None:
-    for k in np.flatnonzero(structure.elements == 0).tolist():
-        raise InputError(f"{place}: atom {k + 1} is {shown(written[k])}: expected an element")
-
-
-def _check_elements_of_mol(molecule: Mol, place: str) -> None:
-    for atom in molecule.GetAtoms():
-        if atom.GetAtomicNum() == 0:
-            symbol = shown(atom.GetSymbol())
-            raise InputError(f"{place}: atom {atom.GetIdx() + 1} is {symbol}: expected an element")
-
-
-def _check_left_out(parts: list[list[str]], kept: int, place: str) -> None:
-    """Raises InputError where a metal that is no counter-ion would be left out."""
-    from pliant.adapters.smiles import metals_in
-
-    for k, symbols in enumerate(parts):
-        is_ion = len(symbols) == 1 and symbols[0] in COUNTER_IONS
-        if k != kept and not is_ion and (metals := metals_in(symbols)):
-            raise InputError(
-                f"{place}: the metal {', '.join(metals)} is not bonded to the largest of "
-                f"{len(parts)} molecules: only lone ions of groups 1 and 2 are left out"
-            )
-
-
-def _salt_note(parts: int, options: ConformerOptions, place: str) -> str:
-    if options.salts == "refuse":
-        raise InputError(
-            f"{place}: expected one molecule, found {parts}; {options.dashes}salts largest keeps "
-            "the largest"
-        )
-    return f"the largest of {parts} molecules is kept"

@@ -14,7 +14,14 @@ from pliant._processes import usual_workers
 from pliant._refusals import shown
 from pliant.conformers.make import make
 from pliant.conformers.options import ConformerOptions
-from pliant.conformers.records import is_library, read_records, short, smiles_record
+from pliant.conformers.records import (
+    LIGANDS,
+    format_of,
+    is_library,
+    read_records,
+    short,
+    smiles_record,
+)
 from pliant.conformers.repeated import Repeated, canonical_smiles
 from pliant.conformers.results import Conformers, FailedMolecule
 from pliant.conformers.subject import Subject, subject_of, subject_of_mol, subject_of_structure
@@ -38,6 +45,7 @@ def conformers(
     salts: str = "largest",
     amides: bool = False,
     max_input: int = 2_000_000_000,
+    smiles: str | None = None,
     threads: int | None = None,
 ) -> Any:
     """Return ranked conformers of a molecule, or an iterator over those of a library.
@@ -48,8 +56,9 @@ def conformers(
     Parameters
     ----------
     molecule : rdkit.Chem.Mol, SMILES, Structure, path or iterable
-        One molecule; or a library: the path of an SDF, MOL or SMILES file (also compressed), or an
-        iterable of molecules. A molecule without positions is embedded by RDKit, with hydrogens.
+        One molecule; or a library: the path of an SDF, MOL or SMILES file (also compressed), or of
+        a PDB, mmCIF or XYZ file of one ligand, or an iterable of molecules. A molecule without
+        positions is embedded by RDKit, with hydrogens.
     n : int
         Conformers, at most.
     frames : int, optional
@@ -76,6 +85,10 @@ def conformers(
         Secondary amides are cis and trans, too.
     max_input : int
         Bytes that a file may have, and expand to. What is larger is refused.
+    smiles : str, optional
+        Of a structure, or the ligand of a PDB, mmCIF or XYZ file: bond orders, charges and
+        hydrogens are those of this SMILES, and heavy atoms stay where they are. Without it RDKit
+        guesses orders that are not known from the hydrogens, if all are there.
     threads : int, optional
         Changes no result. By default as many as cores.
 
@@ -98,14 +111,28 @@ def conformers(
     -----
     PliantWarning
         Stereo of a molecule that is made 3-D is not given: one isomer is made. Hydrogens that were
-        missing are added. A molecule of a library was there before: it is done again.
+        missing are added. Bond orders or charges of a ligand are guessed. A molecule of a library
+        was there before: it is done again.
     """
     options = ConformerOptions(
-        n, frames, starts, rms, window, energy, minimise, seed, embed, salts, amides, max_input
+        n,
+        frames,
+        starts,
+        rms,
+        window,
+        energy,
+        minimise,
+        seed,
+        embed,
+        salts,
+        amides,
+        max_input,
+        smiles,
     )
     options.check()
     workers = usual_workers() if threads is None else threads
     if isinstance(molecule, (str, os.PathLike)) and _is_path(molecule):
+        _check_smiles(options, is_ligand=format_of(molecule) in LIGANDS)
         return _of_path(molecule, options, workers)
     if _is_molecule(molecule):
         return _of_one(molecule, options, workers, _name(molecule) or "the molecule")
@@ -157,7 +184,15 @@ def _found(
     return Conformers(made, number)
 
 
+def _check_smiles(options: ConformerOptions, *, is_ligand: bool) -> None:
+    if options.smiles is not None and not is_ligand:
+        raise OptionError(
+            "smiles: expected None, or as molecule a Structure, or a PDB, mmCIF or XYZ file"
+        )
+
+
 def _subject(given: Any, options: ConformerOptions) -> Subject:
+    _check_smiles(options, is_ligand=isinstance(given, Structure))
     if isinstance(given, str):
         need("a SMILES", "rdkit")
         return subject_of(smiles_record(given), options)

@@ -33,7 +33,10 @@ def two(tmp_path):
     ("words", "error"),
     [
         ("", "expected FILE or --smiles TEXT, or --continue FILE"),
-        ("x.sdf --smiles C", "expected FILE or --smiles TEXT, or --continue FILE"),
+        (
+            "x.sdf --smiles C",
+            "--smiles: expected no FILE, or a PDB, mmCIF or XYZ file of one ligand",
+        ),
         ("--smiles C", "--smiles: needs --output FILE.sdf"),
         ("{} --rms -1", "--rms: expected a number from 0, found -1.0"),
         ("{} --window 0", "--window: expected a number above 0, found 0.0"),
@@ -100,9 +103,9 @@ def test_long_names_are_short_in_messages(pliant, tmp_path):
     [
         ("none.sdf", "none.sdf: No such file or directory"),
         (
-            "x.pdb",
-            "x.pdb: expected SDF, MOL or SMILES (.sdf, .mol, .smi, each also .gz, .bz2, .xz); "
-            "pliant sample takes other formats",
+            "x.gro",
+            "x.gro: expected SDF, MOL, SMILES, PDB, mmCIF or XYZ (.sdf, .mol, .smi, .pdb, .cif, "
+            ".xyz, each also .gz, .bz2, .xz)",
         ),
         ("empty.sdf", "empty.sdf: holds no record"),
         (
@@ -133,7 +136,6 @@ def test_long_names_are_short_in_messages(pliant, tmp_path):
 )
 def test_files_that_cannot_be_used(pliant, two, tmp_path, words, error):
     (tmp_path / "empty.sdf").write_text("\n\n")
-    (tmp_path / "x.pdb").write_text("END\n")
     (tmp_path / "there.sdf").write_text("")
     packed = gzip.compress(two.read_bytes())
     (tmp_path / "cut.sdf.gz").write_bytes(packed[:-20])
