@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("rdkit")
+from commit_logs import TRIES
 from libraries import embedded, library, molecules, record
 from pliant.conformers.journal import Journal
 from pliant.conformers.library import Source, begin, resume
@@ -117,17 +118,18 @@ def lines_of(journal):
 def stopped(command, words, folder, name, number):
     """Sends a signal to a run that has committed some molecules; its exit code and messages.
 
-    Anew, if all was done before it was met.
+    Anew, if all was done before it was met; 3 if it cannot be stopped.
     """
     words, journal = [command, *words, "-o", name], folder / f".{name}.journal"
-    code, said = 3, ""
-    while code in (0, 3):
+    for _ in range(TRIES):
         (folder / name).unlink(missing_ok=True)
         with subprocess.Popen(words, cwd=folder, stderr=subprocess.PIPE, text=True) as run:
             while run.poll() is None and lines_of(journal) < 5:
                 time.sleep(0.01)
             run.send_signal(number)
             code, said = run.wait(), run.stderr.read()
+        if code != 3:
+            break
     return code, said
 
 

@@ -6,6 +6,9 @@ import subprocess
 import time
 from dataclasses import dataclass
 
+#: starts of a command until a signal meets it at work, however late the signal is
+TRIES = 20
+
 
 @dataclass
 class Commit:
@@ -66,15 +69,16 @@ def wait_for_commits(child, path, count):
 def stopped(words, folder, count, how):
     """Stops a command as soon as its o.log has so many commits more; its exit code.
 
-    Anew, if all was done before it was met.
+    Anew, if all was done before it was met; 0 if it cannot be stopped.
     """
-    code = 0
-    while code == 0:
+    for _ in range(TRIES):
         (folder / "o.h5md").unlink(missing_ok=True)
         with subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL) as child:
             wait_for_commits(child, folder / "o.log", count)
             child.send_signal(how)
             code = child.wait()
+        if code != 0:
+            break
     return code
 
 
