@@ -117,6 +117,8 @@ def _of_ligand(record: Record, options: ConformerOptions) -> Subject:
         raise InputError(f"{record.place}: expected one ligand, found atoms without any bond")
     subject = subject_of_structure(structure, options, record.name)
     subject.notes[:0] = notes
+    if structure.model_count > 1:
+        subject.warnings.insert(0, f"the first of {structure.model_count} models is used")
     return subject
 
 

@@ -258,6 +258,16 @@ def test_the_largest_molecule_of_a_file_is_kept(alanine, tmp_path):
     )
 
 
+@pytest.mark.parametrize("name", ["x.pdb", "x.xyz"])
+def test_models_that_are_not_used_are_told(name, alanine, tmp_path):
+    path = written(alanine, tmp_path / name, orders=False)
+    text = path.read_text().replace("END\n", "")
+    if name == "x.pdb":
+        text = f"MODEL        1\n{text}ENDMDL\nMODEL        2\n{text}ENDMDL\nEND\n"
+    path.write_text(text if name == "x.pdb" else text + text)
+    assert subject(path).warnings == ["the first of 2 models is used", GUESSED.format(0)]
+
+
 def test_a_protein_is_for_sample(tmp_path):
     line = [f"C {1.54 * k} 0 0" for k in range(501)]
     (tmp_path / "x.xyz").write_text("\n".join(["501", "", *line]))
