@@ -26,7 +26,8 @@ DESCRIPTION = """\
 Makes conformers of small molecules: a library in, ranked and pruned conformers out, as one SDF
 with the names and data items of the molecules. Candidates are drawn from several starts (torsions,
 rings, large rings closed), without overlaps; those that are alike are left out. Lengths and angles
-are those of the start, unless a force field minimises (--minimise)."""
+are those of the start (angles in puckered rings change), unless a force field minimises
+(--minimise)."""
 
 EPILOG = """\
 FILE is an SDF or MOL file (V2000, V3000) in 3-D with hydrogens, of any number of records, or lines
@@ -41,7 +42,7 @@ SMILES, and heavy atoms stay where they are. A SMILES of another molecule or iso
 
 The output does not depend on --threads; after a kill --continue gives the same bytes.
 
-Each conformer has the data items pliant_conformer (from 1, best first), pliant_start,
+Each conformer has the data items pliant_conformer (from 1, lowest energy first), pliant_start,
 pliant_energy with pliant_energy_name, pliant_worst_bar (largest error of a held length), and
 pliant_start_positions with the first conformer of each start, whose lengths it keeps.
 
@@ -66,13 +67,13 @@ def make_parser() -> console.Parser:
     text = "SDF, MOL or SMILES file; PDB, mmCIF or XYZ file of one ligand"
     add("file", metavar="FILE", nargs="?", help=text)
     text = (
-        "instead of FILE: one molecule, through RDKit; with a ligand: its bond orders, charges and "
-        "hydrogens"
+        "instead of FILE: one molecule, made 3-D by RDKit; with a ligand's FILE: its bond orders, "
+        "charges and hydrogens"
     )
     add("--smiles", metavar="TEXT", help=text)
     text = "SDF to write, or .sdf.gz (default: FILE's name-conformers.sdf)"
     add("-o", "--output", metavar="FILE", help=text)
-    text = "go on with an unfinished output, as if it had never stopped"
+    text = "continue an unfinished output; the result is as if it had never stopped"
     add("--continue", dest="go_on", metavar="FILE", help=text)
     whole = console.whole_number
     text = f"conformers of a molecule, at most (default: {usual.most})"
@@ -82,15 +83,17 @@ def make_parser() -> console.Parser:
         f"{A_CONFORMER} for each conformer of --max)"
     )
     add("--frames", metavar="N", type=whole(1), default=None, help=text)
-    text = f"starts with lengths and angles of their own (default: {usual.starts}); 1: as given"
+    text = f"starting geometries (default: {usual.starts}); 1: the input alone"
     add("--starts", metavar="N", type=whole(1), default=usual.starts, help=text)
-    text = f"leave out what is nearer to a better one, Angstrom, heavy atoms (default: {usual.rms})"
+    text = (
+        f"leave out conformers within X Angstrom (heavy atoms) of one chosen (default: {usual.rms})"
+    )
     add("--rms", metavar="X", type=float, default=usual.rms, help=text)
     text = "leave out what is more than X kcal/mol above the lowest (default: keep all)"
     add("--window", metavar="X", type=float, help=text)
     text = (
-        "rank by own (usual torsions and near atoms), MMFF94s or UFF (of RDKit), auto (MMFF94s, "
-        "else UFF, where RDKit is installed, else own), none, or a force field of OpenMM "
+        "rank by own (penalises unusual torsions and close atoms), MMFF94s or UFF (of RDKit), auto "
+        "(MMFF94s, else UFF, where RDKit is installed, else own), none, or a force field of OpenMM "
         "(FILE.xml) (default: own)"
     )
     add("--energy", metavar="NAME", default=usual.energy, help=text)
@@ -100,7 +103,7 @@ def make_parser() -> console.Parser:
     add("--embed", action="store_true", help=text)
     text = "several molecules in a record: keep the largest (default), or refuse"
     add("--salts", choices=SALTS, default=usual.salts, help=text)
-    text = "let secondary amides be cis and trans, too"
+    text = "draw secondary amides as cis and trans"
     add("--amides", action="store_true", help=text)
     add("--seed", metavar="N", type=whole(0, most=2**31 - 1), default=0, help="seed (default: 0)")
     _add_options_of_the_run(parser)

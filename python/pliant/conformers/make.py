@@ -21,7 +21,7 @@ from pliant.conformers.subject import Subject
 
 @dataclass
 class Made:
-    """What was made of one molecule, best first."""
+    """What was made of one molecule, lowest energy first."""
 
     subject: Subject
     positions: npt.NDArray[np.float64]  #: (n, N, 3) Angstrom

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Conformers(HasFrames, Displayed):
-    """The conformers of one molecule, best first, with the interface of a `Trajectory`."""
+    """The conformers of one molecule, lowest energy first, with the interface of a `Trajectory`."""
 
     def __init__(self, made: Made, number: int = 1) -> None:
         self._made = made

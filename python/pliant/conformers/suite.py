@@ -51,7 +51,7 @@ def conformers(
     """Return ranked conformers of a molecule, or an iterator over those of a library.
 
     Candidates are drawn from several starts without overlaps, those that are alike are left out,
-    and at most `n` are kept, best first. Lengths and angles are those of the start.
+    and at most `n` are kept, lowest energy first. Lengths and angles are those of the start.
 
     Parameters
     ----------
