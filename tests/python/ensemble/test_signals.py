@@ -9,7 +9,7 @@ import sys
 import time
 
 import pytest
-from ensembles import COMMAND, PEPTIDE, start
+from ensembles import COMMAND, PEPTIDE, heed_hangups, start
 
 #: exit code and what is said
 ENDS = {
@@ -77,6 +77,7 @@ def test_signals_that_come_before_python_has_started(tmp_path, name):
     number = getattr(signal, name)
 
     def send():
+        heed_hangups()
         signal.pthread_sigmask(signal.SIG_BLOCK, [number])
         os.kill(os.getpid(), number)
 

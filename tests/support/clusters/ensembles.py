@@ -5,6 +5,7 @@ import contextlib
 import json
 import os
 import random
+import signal
 import subprocess
 import sys
 import time
@@ -82,9 +83,15 @@ def wait_for_shards(client, folder, count):
         time.sleep(0.02)
 
 
+def heed_hangups():
+    """Undoes the nohup under which tests may run: what it starts would ignore SIGHUP."""
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
+
+
 def start(*words, command=COMMAND, **options):
     """The command ``pliant ensemble``, under way."""
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    options.setdefault("preexec_fn", heed_hangups)
     return subprocess.Popen([command, "ensemble", *map(str, words)], **pipes, **options)
 
 
