@@ -18,7 +18,7 @@ from pliant._trajectory.trajectory import Trajectory
 _WANTED = 'an rdkit.Chem.Mol, such as Chem.MolFromMolFile("x.sdf", removeHs=False)'
 
 if TYPE_CHECKING:
-    from rdkit.Chem import Mol
+    from rdkit.Chem import Conformer, Mol
 
 
 @checked(molecule=having("GetConformers", _WANTED))
@@ -102,9 +102,7 @@ def to_rdkit(source: Molecule | Structure) -> Mol:
     frames = Trajectory(source)
     molecule = bonded(frames.structure)
     for positions in frames:
-        conformer = Chem.Conformer(len(positions))
-        conformer.SetPositions(np.ascontiguousarray(positions))
-        molecule.AddConformer(conformer, assignId=True)
+        add_conformer(molecule, positions)
     unfit = Chem.SanitizeMol(molecule, catchErrors=True)
     if unfit:
         warnings.warn(
@@ -116,6 +114,15 @@ def to_rdkit(source: Molecule | Structure) -> Mol:
         Chem.AssignStereochemistryFrom3D(molecule)
     made: Mol = molecule
     return made
+
+
+def add_conformer(molecule: Mol, positions: npt.NDArray[np.float64]) -> Conformer:
+    """A further conformer of a molecule, with positions (N, 3) in Angstrom."""
+    from rdkit import Chem
+
+    conformer = Chem.Conformer(len(positions))
+    conformer.SetPositions(np.ascontiguousarray(positions))
+    return molecule.GetConformer(molecule.AddConformer(conformer, assignId=True))
 
 
 def bonded(structure: Structure) -> Any:

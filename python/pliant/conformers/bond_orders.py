@@ -9,10 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from pliant._core import InputError, Structure
-from pliant.adapters.rdkit import bonded
+from pliant.adapters.rdkit import add_conformer, bonded
 from pliant.conformers.hydrogens import labels_of
 from pliant.conformers.options import ConformerOptions
 
@@ -56,12 +54,8 @@ def sanitised(molecule: Mol, place: str, remedy: str) -> Mol:
 
 
 def _placed(structure: Structure) -> Mol:
-    from rdkit import Chem
-
     made: Mol = bonded(structure)
-    conformer = Chem.Conformer(len(structure))
-    conformer.SetPositions(np.ascontiguousarray(structure.positions))
-    made.AddConformer(conformer)
+    add_conformer(made, structure.positions)
     return made
 
 

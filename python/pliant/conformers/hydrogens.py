@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -62,11 +62,22 @@ def is_bare(structure: Structure, missing: Mapping[int, int]) -> bool:
 
 def labels_of(molecule: Mol) -> list[str]:
     """Names of its atoms in messages: those of the PDB, else elements with numbers from 1."""
-    atoms = [(atom, atom.GetPDBResidueInfo()) for atom in molecule.GetAtoms()]
+    known = [atom.GetPDBResidueInfo() for atom in molecule.GetAtoms()]
+    labels = numbered(atom.GetSymbol() for atom in molecule.GetAtoms())
     return [
-        known.GetName().strip() if known else f"{atom.GetSymbol()}{atom.GetIdx() + 1}"
-        for atom, known in atoms
+        one.GetName().strip() if one else label for one, label in zip(known, labels, strict=True)
     ]
+
+
+def names_of(structure: Structure) -> list[str]:
+    """The same of a structure: names of atoms in residues, else elements with numbers."""
+    rows = zip(structure.names, structure.residue_names, numbered(structure.symbols), strict=True)
+    return [label if residue == "UNK" else str(name) for name, residue, label in rows]
+
+
+def numbered(symbols: Iterable[str]) -> list[str]:
+    """ "C1", "H2"."""
+    return [f"{symbol}{number}" for number, symbol in enumerate(symbols, 1)]
 
 
 def check_addable(missing: Mapping[int, int], labels: Sequence[str], place: str) -> None:

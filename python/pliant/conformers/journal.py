@@ -62,18 +62,22 @@ class Journal:
         self.outcomes: list[Outcome] = []
         self._records, self._notes, self._sum = records, notes, chained
 
+    @staticmethod
+    def expect_free(output: Path) -> None:
+        """Raises FileError where an output, or an unfinished one, is in the way."""
+        name = printable_name(output)
+        if output.exists():
+            raise FileError(f"{name}: exists; --overwrite replaces it")
+        if places(output)[1].exists():
+            raise FileError(
+                f"{name}: an earlier run is unfinished: --continue {name} goes on, --overwrite "
+                "begins anew"
+            )
+
     @classmethod
     def begin(cls, output: Path, asked: dict[str, Any], overwrite: bool) -> Journal:
-        """A new one. Raises FileError where an output, or an unfinished one, is in the way."""
+        """A new one, where expect_free has looked. Raises FileError."""
         partial, journal = places(output)
-        if not overwrite:
-            if output.exists():
-                raise FileError(f"{printable_name(output)}: exists; --overwrite replaces it")
-            if journal.exists():
-                raise FileError(
-                    f"{printable_name(output)}: an earlier run is unfinished: --continue "
-                    f"{printable_name(output)} goes on, --overwrite begins anew"
-                )
         try:
             notes = _locked(journal, "ab+", output)
             notes.truncate(0)

@@ -114,12 +114,14 @@ class LibraryDone:
 
 
 def begin(source: Source, options: ConformerOptions, output: Path, overwrite: bool) -> Journal:
-    """A new output. Raises as Journal.begin and read_records, and InputError without a record.
+    """A new output. Raises as Journal.expect_free, read_records, and InputError without a record.
 
     The whole input is read before it is begun: what is wrong with a file is said at once.
     """
     if source.file and output.exists() and output.samefile(source.file):
         raise OptionError(f"--output {output}: is the input")
+    if not overwrite:
+        Journal.expect_free(output)
     count = sum(1 for _ in source.records(options))
     if not count:
         where = "" if source.shard == (1, 1) else f" in shard {source.shard[0]}/{source.shard[1]}"

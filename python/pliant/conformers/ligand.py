@@ -16,8 +16,6 @@ from pliant.conformers.template import by_smiles
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
-MOST_ATOMS = 500  #: of a ligand, hydrogens included
-
 
 def needs_orders(structure: Structure, options: ConformerOptions) -> bool:
     """Whether a SMILES is given, an order is not known, or charges follow from known ones alone."""

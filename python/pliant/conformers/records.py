@@ -26,7 +26,6 @@ END = "$$$$"
 #: Letters and lines of a record: more is no molecule, and must not fill the memory.
 MOST_TEXT, MOST_LINES = 20_000_000, 200_000
 TOO_LONG = "expected a record of at most 20 MB and 200000 lines, found more"
-MOST_NAME = 60  #: letters of the name of a record that is too long
 LONGEST_NAME = 60  #: letters of a name in messages
 HEADERS = ("smiles", "canonical_smiles", "isomeric_smiles")  #: first words of a line of titles
 
@@ -99,7 +98,7 @@ def _sdf_records(lines: Iterable[str], source: str) -> Iterator[Record]:
             continue
         if is_long:
             number += 1
-            name = kept[0][:MOST_NAME].strip()
+            name = kept[0][:LONGEST_NAME].strip()
             yield Record(number, "", name, source=source, fault=TOO_LONG)
         elif _has_text(kept):
             number += 1

@@ -15,6 +15,7 @@ from pliant._core import Structure
 from pliant._display import Displayed, Facts
 from pliant._trajectory.frames import FramesInMemory
 from pliant._trajectory.trajectory import HasFrames, Trajectory
+from pliant.adapters.rdkit import add_conformer
 from pliant.conformers.make import Made, as_sdf
 
 if TYPE_CHECKING:
@@ -68,12 +69,10 @@ class Conformers(HasFrames, Displayed):
         molecule = Chem.Mol(self._made.subject.molecule)
         molecule.RemoveAllConformers()
         for k, positions in enumerate(self.positions):
-            conformer = Chem.Conformer(len(positions))
-            conformer.SetPositions(np.ascontiguousarray(positions))
+            conformer = add_conformer(molecule, positions)
             conformer.SetIntProp("pliant_start", int(self.starts[k]) + 1)
             if self.energies is not None:
                 conformer.SetDoubleProp("pliant_energy", float(self.energies[k]))
-            molecule.AddConformer(conformer, assignId=True)
         for name, value in self._made.subject.block.tags():
             molecule.SetProp(name, value)
         if self.energy_name:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -15,14 +14,17 @@ from pliant import _core
 from pliant._core import InputError, Structure
 from pliant._extras import need
 from pliant._said import noted
+from pliant.adapters.smiles import MOST_ATOMS
 from pliant.conformers.hydrogens import (
     check_addable,
     completed,
     is_bare,
     labels_of,
     missing_hydrogens,
+    names_of,
+    numbered,
 )
-from pliant.conformers.ligand import MOST_ATOMS, needs_orders, ordered
+from pliant.conformers.ligand import needs_orders, ordered
 from pliant.conformers.mol_block import MolBlock, block_of, filled, one_line, parse
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.parts import check_elements, check_elements_of_mol, kept_part
@@ -79,7 +81,7 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
     check_elements(
         structure, [(before + after).split()[0] for before, after in block.atoms], record.place
     )
-    parts, labels = block.components(), _labels(structure.symbols.tolist())
+    parts, labels = block.components(), numbered(structure.symbols)
     if len(parts) > 1:
         kept, said = kept_part(_symbols(structure, parts), options, record.place)
         labels = [labels[k] for k in parts[kept]]
@@ -166,7 +168,7 @@ def subject_of_structure(
     place = structure.source or structure.title or "the structure"
     check_elements(structure, structure.symbols.tolist(), place)
     block = block_of(structure)
-    parts, notes, labels = block.components(), list[str](), _names(structure)
+    parts, notes, labels = block.components(), list[str](), names_of(structure)
     if len(parts) > 1:
         largest, said = kept_part(_symbols(structure, parts), options, place)
         kept = parts[largest]
@@ -195,17 +197,6 @@ def subject_of_structure(
 
 def _symbols(structure: Structure, parts: list[list[int]]) -> list[list[str]]:
     return [structure.symbols[part].tolist() for part in parts]
-
-
-def _labels(symbols: Iterable[str]) -> list[str]:
-    return [f"{symbol}{number}" for number, symbol in enumerate(symbols, 1)]
-
-
-def _names(structure: Structure) -> list[str]:
-    """Of atoms in messages: those of residues, else elements with numbers from 1."""
-    known = zip(structure.names, structure.residue_names, strict=True)
-    numbered = zip(known, _labels(structure.symbols.tolist()), strict=True)
-    return [label if residue == "UNK" else str(name) for (name, residue), label in numbered]
 
 
 def _completed(subject: Subject, missing: dict[int, int], labels: list[str], place: str) -> Subject:

@@ -204,6 +204,8 @@ ResidueOrder order_residues(const ListedResidues& listed) {
 }
 
 void reorder_atoms(Structure& structure, const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> place(structure.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
   reorder(structure.atoms.names, order);
   reorder(structure.atoms.elements, order);
   reorder(structure.atoms.serials, order);
@@ -212,8 +214,6 @@ void reorder_atoms(Structure& structure, const std::vector<std::uint32_t>& order
   reorder(structure.isotopes, order);
   reorder(structure.radicals, order);
   reorder(structure.b_factors, order);
-  std::vector<std::uint32_t> place(order.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
   for (Bond& bond : structure.bonds)
     std::tie(bond.a, bond.b) = std::minmax({place[bond.a], place[bond.b]});
   std::sort(structure.bonds.begin(), structure.bonds.end(),

@@ -26,7 +26,7 @@ struct ResidueOrder {
 /// residues are mixed, it is sorted by number and insertion code. Linear, but for what is shuffled.
 ResidueOrder order_residues(const ListedResidues& listed);
 
-/// Moves one column of N atoms; an empty one stays empty.
+/// Moves one column of N atoms, of which some may be left out; an empty one stays empty.
 template <class Column>
 void reorder(Column& column, const std::vector<std::uint32_t>& order) {
   if (column.empty()) return;
@@ -36,7 +36,8 @@ void reorder(Column& column, const std::vector<std::uint32_t>& order) {
   column = std::move(moved);
 }
 
-/// Moves the atoms of a structure, and the ends of its bonds; residues stay as they are.
+/// Moves the atoms of a structure, and the ends of its bonds; residues stay as they are. Atoms
+/// without bonds may be left out.
 void reorder_atoms(Structure& structure, const std::vector<std::uint32_t>& order);
 
 /// Puts the atoms of a structure into the order of order_residues, and notes in `log` if any has

@@ -11,6 +11,7 @@
 #include "pliant/molecule/read/shared/conformers.hpp"
 #include "pliant/molecule/read/shared/element_of_name.hpp"
 #include "pliant/molecule/read/shared/gathering.hpp"
+#include "pliant/molecule/structure/residue_order.hpp"
 #include "pliant/molecule/structure/residue_templates.hpp"
 
 namespace pliant {
@@ -195,36 +196,16 @@ void move_chain_ends(std::vector<bool>& ends, const std::vector<bool>& before,
     if (before[r]) ends[new_index[r]] = true;
 }
 
-template <class Column>
-void keep_rows(Column& column, const std::vector<std::uint32_t>& index) {
-  if (column.empty()) return;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < index.size(); ++i) {
-    if (index[i] == left_out) continue;
-    if (count != i) column[count] = std::move(column[i]);
-    ++count;
-  }
-  column.resize(count);
-}
-
+/// `rows` are the atoms to keep.
 void keep_atoms(AtomSites& sites, const std::vector<bool>& keep,
-                const std::vector<std::uint32_t>& index) {
+                const std::vector<std::uint32_t>& rows) {
   Structure& structure = sites.structure;
   const std::vector<bool> ends = structure.chain_end;
   const auto residue_index = keep_residues(structure, keep);
   move_chain_ends(structure.chain_end, ends, residue_index, structure.atoms.residues.size());
   for (std::uint32_t& residue : structure.atoms.residue_of) residue = residue_index[residue];
-  keep_rows(structure.atoms.names, index);
-  keep_rows(structure.atoms.elements, index);
-  keep_rows(structure.atoms.residue_of, index);
-  keep_rows(structure.atoms.serials, index);
-  keep_rows(structure.positions, index);
-  keep_rows(structure.charges, index);
-  keep_rows(structure.b_factors, index);
-  keep_rows(sites.conformers, index);
-  keep_rows(sites.occupancies, index);
-  keep_rows(sites.lines, index);
-  keep_rows(sites.instance_of, index);
+  move_atoms(sites, rows);
+  reorder(structure.atoms.residue_of, rows);
 }
 
 }  // namespace
@@ -239,12 +220,14 @@ std::vector<std::uint32_t> choose_atoms(AtomSites& sites, Remarks& remarks) {
   drop_dummies(sites, keep, remarks);
   drop_conformers(sites, keep, remarks);
   drop_repeats(sites, keep, remarks);
-  std::vector<std::uint32_t> kept(sites.size(), left_out), index(sites.size(), left_out);
-  std::uint32_t count = 0;
-  for (std::size_t i = 0; i < keep.size(); ++i)
-    if (keep[i]) index[listed[i]] = kept[i] = count++;
-  if (count < sites.size()) keep_atoms(sites, keep, kept);
-  keep_rows(listed, kept);
+  std::vector<std::uint32_t> rows, index(sites.size(), left_out);
+  for (std::uint32_t i = 0; i < keep.size(); ++i) {
+    if (!keep[i]) continue;
+    index[listed[i]] = static_cast<std::uint32_t>(rows.size());
+    rows.push_back(i);
+  }
+  if (rows.size() < sites.size()) keep_atoms(sites, keep, rows);
+  reorder(listed, rows);
   tell_of_order(sites, listed, remarks);
   return index;
 }

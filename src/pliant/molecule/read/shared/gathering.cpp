@@ -9,14 +9,6 @@
 namespace pliant {
 namespace {
 
-void move_atoms(AtomSites& sites, const std::vector<std::uint32_t>& order) {
-  reorder_atoms(sites.structure, order);
-  reorder(sites.conformers, order);
-  reorder(sites.occupancies, order);
-  reorder(sites.lines, order);
-  reorder(sites.instance_of, order);
-}
-
 /// Residues of what were runs; `run_of` are the runs of their first atoms.
 void take_runs(AtomSites& sites, const std::vector<std::uint32_t>& run_of) {
   std::vector<Residue> residues;
@@ -50,6 +42,14 @@ void warn_of_distances(const AtomSites& sites, const std::vector<std::uint32_t>&
 }
 
 }  // namespace
+
+void move_atoms(AtomSites& sites, const std::vector<std::uint32_t>& order) {
+  reorder_atoms(sites.structure, order);
+  reorder(sites.conformers, order);
+  reorder(sites.occupancies, order);
+  reorder(sites.lines, order);
+  reorder(sites.instance_of, order);
+}
 
 std::vector<std::uint32_t> gather_residues(AtomSites& sites, Remarks& remarks) {
   AtomTable& atoms = sites.structure.atoms;

@@ -6,6 +6,9 @@
 
 namespace pliant {
 
+/// Moves the columns of atoms, of which some may be left out, as reorder_atoms; not their residues.
+void move_atoms(AtomSites& sites, const std::vector<std::uint32_t>& order);
+
 /// Makes each run of `sites` that belongs to one residue part of it, and sets chain ends where
 /// sections end. Returns the listed index of the atom at each place; empty if none has moved.
 /// Warns of atoms that only distances assign to their residue.
