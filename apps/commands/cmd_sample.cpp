@@ -20,8 +20,8 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/recorded_sample.hpp"
 #include "pliant/molecule/selection.hpp"
-#include "pliant/resume/recorded_sample.hpp"
 
 namespace pliant::app {
 namespace {

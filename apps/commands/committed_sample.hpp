@@ -8,9 +8,9 @@
 #include "commands/committed_walker.hpp"
 #include "options/sample_settings.hpp"
 #include "pliant/base/parameter.hpp"
-#include "pliant/resume/commit_log.hpp"
+#include "pliant/jobs/commit_log.hpp"
+#include "pliant/jobs/sample_task.hpp"
 #include "pliant/sample/sample.hpp"
-#include "pliant/tasks/sample_task.hpp"
 
 namespace pliant::app {
 

@@ -18,8 +18,8 @@
 #include "output/print_run.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/recorded_run.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
-#include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/ensemble.hpp"
 
 namespace pliant::app {

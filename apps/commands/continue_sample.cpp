@@ -19,7 +19,7 @@
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/measures/limit_counts.hpp"
-#include "pliant/resume/recorded_sample.hpp"
+#include "pliant/jobs/recorded_sample.hpp"
 
 namespace pliant::app {
 namespace {

@@ -14,8 +14,8 @@
 #include "output/frame_output.hpp"
 #include "output/recorded_header.hpp"
 #include "pliant/base/system/path_text.hpp"
-#include "pliant/resume/force_recorder.hpp"
-#include "pliant/resume/recorded_run.hpp"
+#include "pliant/jobs/force_recorder.hpp"
+#include "pliant/jobs/recorded_run.hpp"
 #include "pliant/run/ensemble.hpp"
 #include "pliant/run/replay_events.hpp"
 

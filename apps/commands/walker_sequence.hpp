@@ -6,7 +6,7 @@
 #include <map>
 
 #include "output/frame_output.hpp"
-#include "pliant/resume/kept_frames.hpp"
+#include "pliant/jobs/kept_frames.hpp"
 
 namespace pliant::app {
 

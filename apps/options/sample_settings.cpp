@@ -13,9 +13,9 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/asked_amplitude.hpp"
 #include "pliant/model/prepare/largest_molecule.hpp"
 #include "pliant/molecule/drawing.hpp"
-#include "pliant/tasks/asked_amplitude.hpp"
 
 namespace pliant::app {
 namespace {

@@ -8,11 +8,11 @@
 #include "commit_settings.hpp"
 #include "options/molecule_input.hpp"
 #include "pliant/base/parameter.hpp"
+#include "pliant/jobs/sample_task.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/sample/sample_fields.hpp"
-#include "pliant/tasks/sample_task.hpp"
 
 namespace pliant::app {
 

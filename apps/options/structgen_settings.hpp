@@ -5,8 +5,8 @@
 #include <string>
 
 #include "command_line.hpp"
-#include "pliant/laboratory/make_test_set.hpp"
-#include "pliant/laboratory/test_set.hpp"
+#include "pliant/lab/test_sets/make_test_set.hpp"
+#include "pliant/lab/test_sets/test_set.hpp"
 
 namespace pliant::app {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/conformations.hpp"
 
-#include "pliant/sample/conformers/torsion_moves.hpp"
+#include "pliant/conformers/torsions/torsion_moves.hpp"
 #include "pliant/sample/samplers.hpp"
 
 namespace pliant::app {

@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "output/json.hpp"
 #include "pliant/base/printable.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {

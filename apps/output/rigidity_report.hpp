@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "pliant/jobs/rigidity_task.hpp"
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
-#include "pliant/tasks/rigidity_task.hpp"
 
 namespace pliant::app {
 

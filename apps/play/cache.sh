@@ -12,7 +12,7 @@ page_key() {
   {
     find CMakeLists.txt LICENSE src apps/play data/proteins data/molecules data/mechanisms -type f \
       ! -name '*.md' ! -path 'apps/play/test/*' ! -path 'src/pliant/stream/*' \
-      ! -path 'src/pliant/laboratory/*' ! -path 'src/pliant/resume/*' ! -path 'src/pliant/record/h*.cpp' -print0 |
+      ! -path 'src/pliant/lab/test_sets/*' ! -path 'src/pliant/record/h*.cpp' -print0 |
       LC_ALL=C sort -z | xargs -0 sha256sum
     dpkg-query -W gemmi-dev libeigen3-dev libfmt-dev nlohmann-json3-dev tao-pegtl-dev 2>/dev/null || true
   } | sha256sum | cut -c1-16

@@ -7,7 +7,6 @@ contacts kcal/mol.
 
 from __future__ import annotations
 
-import contextlib
 from typing import TYPE_CHECKING
 
 from pliant import _core
@@ -23,6 +22,7 @@ from pliant._core import (
     Framework,
     FrameworkRigidity,
     Graph,
+    GraphClass,
     GraphFacts,
     Guide,
     H5mdReader,
@@ -53,6 +53,11 @@ from pliant._core import (
     Stop,
     Structure,
     TechniqueEntry,
+    TestClass,
+    TestGraph,
+    TestHeuristic,
+    TestResults,
+    TestSet,
     TorsionPreferences,
     WalkerResolver,
     build_model,
@@ -63,6 +68,8 @@ from pliant._core import (
     estimate_b_factors,
     examples,
     formats,
+    generate,
+    graph_classes,
     lane_levels,
     make_force_file,
     measure,
@@ -82,6 +89,7 @@ from pliant._core import (
     read_force_file,
     read_graph_xml,
     read_ordering_file,
+    read_test_set,
     read_text,
     residuals,
     resolve,
@@ -90,12 +98,12 @@ from pliant._core import (
     samplers,
     techniques,
     techniques_for,
+    write_test_set,
     write_topology_pdb,
 )
 from pliant._deprecated import PliantDeprecationWarning
 from pliant._display import show_in_notebooks
 from pliant._ensemble import run_ensemble
-from pliant._laboratory import leave_out
 from pliant._late import import_after
 from pliant._refusals.signatures import give_signatures
 from pliant._run import continue_run, run
@@ -116,20 +124,6 @@ from pliant.adapters import (
     to_rdkit,
 )
 from pliant.play.view import view
-
-with contextlib.suppress(ImportError):  # a build may leave the laboratory out
-    from pliant._core import (
-        GraphClass,
-        TestClass,
-        TestGraph,
-        TestHeuristic,
-        TestResults,
-        TestSet,
-        generate,
-        graph_classes,
-        read_test_set,
-        write_test_set,
-    )
 
 if TYPE_CHECKING:
     from pliant.analyse import analyse
@@ -267,9 +261,6 @@ __all__ = [
 ]
 
 __version__ = _core.version()
-
-if not hasattr(_core, "generate"):
-    leave_out(globals())
 
 # Messages and help call things by the name under which users find them.
 for _type in (RunResult, SampledEnsemble, SampleResult, Trajectory):

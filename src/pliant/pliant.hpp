@@ -84,15 +84,12 @@
 #include "pliant/framework/sterics.hpp"              // how near joints may come
 #include "pliant/framework/torsion_preferences.hpp"  // turns about bonds that are usual
 
-// examples: frameworks of which everything is known
-#include "pliant/examples/examples.hpp"  // the table of them
-
 // order, resolve: the techniques
 #include "pliant/order/check_ordering.hpp"             // validator
 #include "pliant/order/ordering.hpp"                   // the table of orderings
 #include "pliant/order/ordering_file.hpp"              // an ordering stated bar by bar
 #include "pliant/order/traversal.hpp"                  // breadth first, depth first
-#include "pliant/resolve/automatic.hpp"                // what auto chooses
+#include "pliant/resolve/auto.hpp"                     // what auto chooses
 #include "pliant/resolve/method/project_bar.hpp"       // the kernel
 #include "pliant/resolve/method/resolve_options.hpp"   // tolerance, limit of sweeps
 #include "pliant/resolve/method/resolve_summary.hpp"   // what a resolve did
@@ -156,10 +153,13 @@
 #include "pliant/record/xml/graph_xml.hpp"                // frameworks as XML
 #include "pliant/record/xml/write_graph_xml.hpp"          // and back
 
-// tasks: one door for each job
-#include "pliant/tasks/conformers_task.hpp"  // ranked conformers from several starts
-#include "pliant/tasks/rigidity_task.hpp"    // rigidity
-#include "pliant/tasks/sample_task.hpp"      // an ensemble, or conformers, of a model
+// jobs: one door for each job, and what runs and samples go on from
+#include "pliant/jobs/conformers_task.hpp"  // ranked conformers from several starts
+#include "pliant/jobs/force_recorder.hpp"   // the pushes of a run as a force file
+#include "pliant/jobs/recorded_run.hpp"     // a run, as files keep it
+#include "pliant/jobs/recorded_sample.hpp"  // a sample, as files keep it
+#include "pliant/jobs/rigidity_task.hpp"    // rigidity
+#include "pliant/jobs/sample_task.hpp"      // an ensemble, or conformers, of a model
 
 // stream: runs followed and steered while they go
 #include "pliant/stream/imd_commands.hpp"  // what a client says
@@ -169,18 +169,11 @@
 #include "pliant/stream/imd_server.hpp"    // live: VMD, MDAnalysis, pliant watch
 #include "pliant/stream/imd_session.hpp"   // one client
 
-// resume: what runs and samples go on from
-#include "pliant/resume/force_recorder.hpp"   // the pushes of a run as a force file
-#include "pliant/resume/recorded_run.hpp"     // a run, as files keep it
-#include "pliant/resume/recorded_sample.hpp"  // a sample, as files keep it
-
-// generate, laboratory: the random graphs of the thesis and its test sets, where the library has
-// them (PLIANT_LABORATORY)
-#if __has_include("pliant/generate/random_graphs.hpp")
-#include "pliant/generate/fundamental_cycles.hpp"  // one cycle for each non-tree bar
-#include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
-#include "pliant/laboratory/make_test_set.hpp"     // of random graphs
-#include "pliant/laboratory/read_test_set.hpp"     // from folders
-#include "pliant/laboratory/test_results.hpp"      // what a heuristic did with each force
-#include "pliant/laboratory/test_set.hpp"          // graphs, forces and results in folders
-#endif
+// lab: frameworks of which everything is known; random graphs and test sets of the thesis
+#include "pliant/lab/examples/examples.hpp"            // the table of them
+#include "pliant/lab/generate/fundamental_cycles.hpp"  // one cycle for each non-tree bar
+#include "pliant/lab/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
+#include "pliant/lab/test_sets/make_test_set.hpp"      // of random graphs
+#include "pliant/lab/test_sets/read_test_set.hpp"      // from folders
+#include "pliant/lab/test_sets/test_results.hpp"       // what a heuristic did with each force
+#include "pliant/lab/test_sets/test_set.hpp"           // graphs, forces and results in folders

@@ -5,7 +5,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/laboratory/test_results.hpp"
+#include "pliant/lab/test_sets/test_results.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_files/force_file.hpp"

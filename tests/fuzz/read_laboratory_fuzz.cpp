@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "pliant/base/error.hpp"
-#include "pliant/laboratory/test_results.hpp"
+#include "pliant/lab/test_sets/test_results.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_files/force_file.hpp"

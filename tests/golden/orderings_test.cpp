@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/order/ordering.hpp"
 #include "pliant/order/ordering_file.hpp"
 

@@ -4,7 +4,7 @@
 // calls no function of libm whose last bits differ (square roots are exact).
 #include <gtest/gtest.h>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "pliant/generate/random_graphs.hpp"
+#include "pliant/lab/generate/random_graphs.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/record/xml/graph_xml.hpp"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 

@@ -9,7 +9,7 @@
 #include "law/technique_cases.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/sweeps/limit_sweep.hpp"
 #include "pliant/resolve/walkers.hpp"
 #include "support/error_text.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"

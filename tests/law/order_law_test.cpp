@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/order/ordering.hpp"
 #include "support/frameworks.hpp"

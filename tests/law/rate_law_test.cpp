@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"

@@ -8,9 +8,9 @@
 #include <ctime>
 #include <functional>
 
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"

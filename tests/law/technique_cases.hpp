@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/perturb/guide.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "support/error_text.hpp"

@@ -17,22 +17,33 @@ MAY_INCLUDE = {
     "base": (),
     "text": ("base",),
     "framework": ("base",),
-    "examples": ("base", "framework"),
     "rigidity": ("base", "framework"),
     "molecule": ("base", "text", "framework"),
     "model": ("base", "text", "framework", "rigidity", "molecule"),
     "order": ("base", "text", "framework"),
     "perturb": ("base", "text", "framework"),
     "resolve": ("base", "framework", "order", "rigidity"),
-    "sample": ("base", "framework", "rigidity", "resolve"),
+    "conformers": ("base", "framework", "rigidity", "resolve"),
+    "sample": ("base", "framework", "rigidity", "resolve", "conformers"),
     "run": ("base", "framework", "order", "resolve", "perturb"),
     "path": ("base", "framework", "molecule", "model", "resolve", "perturb", "sample", "run"),
     "record": ("base", "text", "framework"),
-    "tasks": ("base", "framework", "molecule", "model", "sample", "record"),
+    "jobs": (
+        "base",
+        "text",
+        "framework",
+        "molecule",
+        "model",
+        "order",
+        "perturb",
+        "conformers",
+        "sample",
+        "run",
+        "path",
+        "record",
+    ),
     "stream": ("base", "framework", "perturb"),
-    "resume": ("base", "text", "framework", "order", "perturb", "sample", "run", "record", "tasks"),
-    "generate": ("base", "framework"),
-    "laboratory": ("base", "text", "generate", "order", "resolve", "perturb", "record"),
+    "lab": ("base", "text", "framework", "order", "resolve", "perturb", "record"),
 }
 
 # The wings of large folders, in order: each may include those before it. What lies in the folder
@@ -46,9 +57,21 @@ WINGS = {
     "molecule/read": ("shared", "pdb", "cif", "sdf", "xyz"),
     "model": ("atoms", "prepare", "contacts", ITSELF, "rigidity"),
     "perturb": (ITSELF, "force_files"),
-    "resolve": ("method", "sweeps", "direct", "blocks", "units", "lanes", "froda", "local"),
+    "resolve": (
+        "method",
+        "sweeps",
+        "newton",
+        "shake",
+        "blocks",
+        "units",
+        "lanes",
+        "froda",
+        "local",
+    ),
     "resolve/froda": ("bodies", "near"),
-    "sample": ("network", "turns", "rings", "conformers", "strain", "choice", "pocket"),
+    "conformers": ("rings", "torsions", "strain", "choice"),
+    "sample": ("network", "turns", "pocket"),
+    "lab": ("examples", "generate", "test_sets"),
     "record": ("hdf5", "h5md", "xml"),
 }
 
@@ -229,29 +252,8 @@ def test_the_table_has_no_cycle():
         done |= ready
 
 
-# The thesis, which PLIANT_LABORATORY leaves out, and the files outside src that go with it.
-LABORATORY = ("generate", "laboratory")
-LEFT_OUT = re.compile(
-    r"apps/(commands/cmd_structgen|options/structgen_settings|play/wasm/open_calls)\.[ch]pp|"
-    r"python/bind/laboratory/\w+\.[ch]pp"
-)
-
-
 def test_the_library_does_not_stand_on_its_laboratory():
-    wrong = {name for name, needs in MAY_INCLUDE.items() if set(needs) & set(LABORATORY)}
-    assert wrong <= set(LABORATORY)
-
-
-def test_nothing_but_what_is_left_out_includes_the_laboratory():
-    refuse(
-        [
-            f"{place(path, number)}: includes {name}, which a build may leave out"
-            for path in files(*CPP, folders=("apps", "python"))
-            if not LEFT_OUT.fullmatch(path.relative_to(ROOT).as_posix())
-            for number, _, name in includes(path)
-            if name.startswith(tuple(f"pliant/{folder}/" for folder in LABORATORY))
-        ]
-    )
+    assert not [name for name, needs in MAY_INCLUDE.items() if "lab" in needs]
 
 
 def test_includes_go_one_way():

@@ -10,7 +10,7 @@ CHOSEN = re.compile(
     r"std::(exp2?|expm1|log(2|10|1p)?|pow|a?(sin|cos|tan)h?|atan2|cbrt|hypot|erfc?|[lt]gamma)\("
 )
 #: Drawn examples, which are given once and for all by what a test holds.
-MAY = {"src/pliant/examples"}
+MAY = {"src/pliant/lab/examples"}
 
 
 def test_results_do_not_depend_on_the_c_library():

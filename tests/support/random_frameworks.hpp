@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 
 namespace pliant::test {
 

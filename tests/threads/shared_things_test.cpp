@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"

@@ -5,7 +5,7 @@
 
 #include "document.hpp"
 #include "pliant/molecule/secondary_structure.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant::play {

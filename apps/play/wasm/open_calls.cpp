@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "pliant/base/version.hpp"
-#include "pliant/examples/examples.hpp"
-#include "pliant/generate/random_graphs.hpp"
+#include "pliant/lab/examples/examples.hpp"
+#include "pliant/lab/generate/random_graphs.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/order/ordering.hpp"
 #include "pliant/resolve/techniques.hpp"

@@ -2,8 +2,8 @@
 #include "sample_call.hpp"
 
 #include "pliant/base/error.hpp"
+#include "pliant/jobs/sample_task.hpp"
 #include "pliant/sample/sample_fields.hpp"
-#include "pliant/tasks/sample_task.hpp"
 #include "session.hpp"
 #include "settings.hpp"
 

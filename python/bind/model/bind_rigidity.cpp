@@ -11,9 +11,9 @@
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/rigidity_task.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
-#include "pliant/tasks/rigidity_task.hpp"
 
 namespace pliant::python {
 namespace {

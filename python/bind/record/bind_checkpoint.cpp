@@ -7,8 +7,8 @@
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/recorded_run.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
-#include "pliant/resume/recorded_run.hpp"
 
 namespace pliant::python {
 namespace {

@@ -8,9 +8,9 @@
 #include "locked.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/jobs/recorded_run.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
-#include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/run.hpp"
 #include "record/recorded_bonds.hpp"
 

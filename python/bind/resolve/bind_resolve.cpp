@@ -15,7 +15,7 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "options.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "tables.hpp"
 

@@ -3,8 +3,8 @@
 #include "arrays.hpp"
 #include "messages.hpp"
 #include "molecule/structure.hpp"
-#include "pliant/sample/choice/choose_conformers.hpp"
-#include "pliant/tasks/conformers_task.hpp"
+#include "pliant/conformers/choice/choose_conformers.hpp"
+#include "pliant/jobs/conformers_task.hpp"
 
 namespace pliant::python {
 namespace {

@@ -9,9 +9,9 @@
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/recorded_sample.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/selection.hpp"
-#include "pliant/resume/recorded_sample.hpp"
 #include "record/recorded_bonds.hpp"
 
 namespace pliant::python {

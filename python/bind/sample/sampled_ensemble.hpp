@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "bind.hpp"
+#include "pliant/jobs/sample_task.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/sample/sample.hpp"
-#include "pliant/tasks/sample_task.hpp"
 
 namespace pliant::python {
 

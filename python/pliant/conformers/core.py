@@ -39,7 +39,7 @@ def draw(
     """`frames` candidates, as many from each of `starts` starts.
 
     Starts after the first are conformers of the first, relaxed with their rings shaken
-    (src/pliant/tasks/conformers_task.hpp). There may be fewer of them than asked for.
+    (src/pliant/jobs/conformers_task.hpp). There may be fewer of them than asked for.
     """
     if np.count_nonzero(structure.elements != HYDROGEN) < 2:  # nothing can turn
         alone = np.array(structure.positions)[None]

@@ -8,7 +8,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/framework/measures/kept_measure.hpp"
 #include "pliant/framework/measures/near_measure.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/method/mass_centre.hpp"
 #include "pliant/resolve/method/method.hpp"
 #include "pliant/resolve/method/moved_joints.hpp"

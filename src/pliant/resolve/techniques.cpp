@@ -8,7 +8,7 @@
 #include "pliant/base/range.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/order/check_ordering.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/blocks/blocks.hpp"
 #include "pliant/resolve/lanes/lane_blocks.hpp"
 #include "pliant/resolve/lanes/lane_direct.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pliant/base/error.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/lanes/lane_group.hpp"
 #include "pliant/resolve/techniques.hpp"
 

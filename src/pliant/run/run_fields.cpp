@@ -4,7 +4,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/perturb/perturbation.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant {

@@ -22,7 +22,6 @@
 #include "pliant/base/threads.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/base/version.hpp"
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/atom_table.hpp"
 #include "pliant/framework/contact_kind_rows.hpp"
 #include "pliant/framework/course.hpp"
@@ -41,12 +40,19 @@
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/framework/sterics.hpp"
 #include "pliant/framework/torsion_preferences.hpp"
-#include "pliant/generate/fundamental_cycles.hpp"
-#include "pliant/generate/random_graphs.hpp"
-#include "pliant/laboratory/make_test_set.hpp"
-#include "pliant/laboratory/read_test_set.hpp"
-#include "pliant/laboratory/test_results.hpp"
-#include "pliant/laboratory/test_set.hpp"
+#include "pliant/jobs/conformers_task.hpp"
+#include "pliant/jobs/force_recorder.hpp"
+#include "pliant/jobs/recorded_run.hpp"
+#include "pliant/jobs/recorded_sample.hpp"
+#include "pliant/jobs/rigidity_task.hpp"
+#include "pliant/jobs/sample_task.hpp"
+#include "pliant/lab/examples/examples.hpp"
+#include "pliant/lab/generate/fundamental_cycles.hpp"
+#include "pliant/lab/generate/random_graphs.hpp"
+#include "pliant/lab/test_sets/make_test_set.hpp"
+#include "pliant/lab/test_sets/read_test_set.hpp"
+#include "pliant/lab/test_sets/test_results.hpp"
+#include "pliant/lab/test_sets/test_set.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
@@ -107,7 +113,7 @@
 #include "pliant/record/topology_pdb.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
 #include "pliant/record/xml/write_graph_xml.hpp"
-#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 #include "pliant/resolve/method/resolve_options.hpp"
 #include "pliant/resolve/method/resolve_summary.hpp"
@@ -116,9 +122,6 @@
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"
-#include "pliant/resume/force_recorder.hpp"
-#include "pliant/resume/recorded_run.hpp"
-#include "pliant/resume/recorded_sample.hpp"
 #include "pliant/rigidity/bar_rank.hpp"
 #include "pliant/rigidity/framework_rigidity.hpp"
 #include "pliant/rigidity/pebble_game.hpp"
@@ -148,9 +151,6 @@
 #include "pliant/stream/imd_packets.hpp"
 #include "pliant/stream/imd_server.hpp"
 #include "pliant/stream/imd_session.hpp"
-#include "pliant/tasks/conformers_task.hpp"
-#include "pliant/tasks/rigidity_task.hpp"
-#include "pliant/tasks/sample_task.hpp"
 #include "pliant/text/file_text.hpp"
 #include "pliant/text/output_file.hpp"
 
@@ -272,14 +272,14 @@ const Use uses[] = {
     of("pliant/framework/measures/residual.hpp", &measure),
     of("pliant/framework/sterics.hpp", overload<void(const Sterics&, std::size_t)>(&check)),
     of("pliant/framework/torsion_preferences.hpp", &torsion_angle),
-    of("pliant/examples/examples.hpp", &examples),
-    of("pliant/generate/fundamental_cycles.hpp", &fundamental_cycles),
-    of("pliant/generate/random_graphs.hpp", &generate),
+    of("pliant/lab/examples/examples.hpp", &examples),
+    of("pliant/lab/generate/fundamental_cycles.hpp", &fundamental_cycles),
+    of("pliant/lab/generate/random_graphs.hpp", &generate),
     of("pliant/order/check_ordering.hpp", &check_ordering),
     of("pliant/order/ordering.hpp", &orderings),
     of("pliant/order/ordering_file.hpp", &write_ordering_file),
     of("pliant/order/traversal.hpp", &traverse_breadth_first),
-    of("pliant/resolve/automatic.hpp", &choose_technique),
+    of("pliant/resolve/auto.hpp", &choose_technique),
     of("pliant/resolve/method/project_bar.hpp", &escape_direction),
     of("pliant/resolve/method/resolve_options.hpp", overload<void(const ResolveOptions&)>(&check)),
     of("pliant/resolve/method/resolve_summary.hpp", &note_violations),
@@ -323,17 +323,17 @@ const Use uses[] = {
     of("pliant/record/topology_pdb.hpp", &write_topology_pdb),
     of("pliant/record/xml/graph_xml.hpp", &looks_like_xml),
     of("pliant/record/xml/write_graph_xml.hpp", &write_graph_xml),
-    of("pliant/tasks/conformers_task.hpp", &draw_conformers),
-    of("pliant/tasks/rigidity_task.hpp", &find_rigidity),
-    of("pliant/tasks/sample_task.hpp", &SampleTask::run),
-    of("pliant/resume/force_recorder.hpp", &ForceRecorder::publish),
-    of("pliant/laboratory/make_test_set.hpp", &make_test_set),
-    of("pliant/laboratory/read_test_set.hpp", &read_test_set),
-    of("pliant/resume/recorded_run.hpp",
+    of("pliant/jobs/conformers_task.hpp", &draw_conformers),
+    of("pliant/jobs/rigidity_task.hpp", &find_rigidity),
+    of("pliant/jobs/sample_task.hpp", &SampleTask::run),
+    of("pliant/jobs/force_recorder.hpp", &ForceRecorder::publish),
+    of("pliant/lab/test_sets/make_test_set.hpp", &make_test_set),
+    of("pliant/lab/test_sets/read_test_set.hpp", &read_test_set),
+    of("pliant/jobs/recorded_run.hpp",
        overload<RunOptions(const H5mdCheckpoint&)>(&run_options_from)),
-    of("pliant/resume/recorded_sample.hpp", &add_frames),
-    of("pliant/laboratory/test_results.hpp", &summary_of),
-    of("pliant/laboratory/test_set.hpp", &TestSet::save),
+    of("pliant/jobs/recorded_sample.hpp", &add_frames),
+    of("pliant/lab/test_sets/test_results.hpp", &summary_of),
+    of("pliant/lab/test_sets/test_set.hpp", &TestSet::save),
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 // Pushes a named framework a hundred times: all bars stay whole.
 #include <cstdio>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/run/run.hpp"
 
 int main() {

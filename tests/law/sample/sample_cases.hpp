@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/jobs/sample_task.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/sample/samplers.hpp"
-#include "pliant/tasks/sample_task.hpp"
 
 namespace pliant::test {
 

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "law/sample/sample_cases.hpp"
+#include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/resolve/froda/froda_lanes.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
-#include "pliant/sample/conformers/conformer_framework.hpp"
 #include "pliant/sample/network/coarse_nodes.hpp"
 #include "support/frameworks.hpp"
 

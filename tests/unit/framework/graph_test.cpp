@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/random_frameworks.hpp"
 
 namespace pliant {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/error_text.hpp"
 
 namespace pliant {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 
 namespace pliant {
 namespace check_ordering_test {

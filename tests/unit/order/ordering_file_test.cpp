@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "pliant/base/error.hpp"
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/error_text.hpp"
 #include "support/temp_directory.hpp"
 

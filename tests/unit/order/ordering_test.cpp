@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/error_text.hpp"
 
 namespace pliant {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/perturb/past.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"

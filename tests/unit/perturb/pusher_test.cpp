@@ -6,7 +6,7 @@
 #include <cmath>
 #include <thread>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/perturb/push_chain.hpp"
 #include "pliant/perturb/pushers.hpp"

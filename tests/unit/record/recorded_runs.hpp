@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
+#include "pliant/jobs/recorded_run.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
-#include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "support/frameworks.hpp"

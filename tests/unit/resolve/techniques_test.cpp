@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/method/shares.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "support/error_text.hpp"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/error_text.hpp"
 #include "support/rigidity.hpp"
 

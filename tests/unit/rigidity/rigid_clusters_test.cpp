@@ -8,7 +8,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/random.hpp"
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/error_text.hpp"
 #include "support/rigidity.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 
 namespace pliant {
 namespace unit_graph_test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 
 namespace pliant {
 namespace unit_shape_test {

@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "pliant/base/error.hpp"
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/run/taut_chain.hpp"
 #include "support/frameworks.hpp"
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/error.hpp"
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pliant/run/run.hpp"
 #include "support/error_text.hpp"

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/run/run.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 

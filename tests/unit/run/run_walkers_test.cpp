@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/error.hpp"
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 

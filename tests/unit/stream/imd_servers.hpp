@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "imd_client.hpp"
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/run/run.hpp"
 #include "pliant/stream/imd_server.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "pliant/resolve/direct/direct_method.hpp"
-#include "pliant/resolve/direct/nearest_point.hpp"
+#include "pliant/resolve/newton/direct_method.hpp"
+#include "pliant/resolve/newton/nearest_point.hpp"
 #include "pliant/resolve/units/shape_keeper.hpp"
 
 namespace pliant {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/resolve/direct/newton.hpp"
-#include "pliant/resolve/direct/shake.hpp"
+#include "pliant/resolve/newton/newton.hpp"
+#include "pliant/resolve/shake/shake.hpp"
 #include "pliant/resolve/units/kept_shapes.hpp"
 #include "pliant/resolve/units/units.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "pliant/base/math/axis_angle.hpp"
-#include "pliant/sample/conformers/loop_bending.hpp"
+#include "pliant/conformers/torsions/loop_bending.hpp"
 
 namespace pliant {
 namespace {

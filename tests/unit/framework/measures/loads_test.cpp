@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant::loads_test {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/frame.hpp"
+#include "pliant/lab/examples/examples.hpp"
 
 namespace pliant {
 namespace residual_test {

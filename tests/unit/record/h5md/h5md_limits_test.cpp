@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "support/temp_directory.hpp"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/examples/examples.hpp"
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/local/region_planner.hpp"
 #include "support/frameworks.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/frameworks.hpp"
 #include "support/molecules.hpp"
 

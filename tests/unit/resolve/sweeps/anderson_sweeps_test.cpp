@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/examples/examples.hpp"
-#include "pliant/generate/random_graphs.hpp"
+#include "pliant/lab/examples/examples.hpp"
+#include "pliant/lab/generate/random_graphs.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant {

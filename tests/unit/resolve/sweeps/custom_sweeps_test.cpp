@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"

@@ -2,7 +2,7 @@
 // Watching bars being repaired one by one: ResolveOptions::on_bar.
 #include <gtest/gtest.h>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/order/ordering.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant {

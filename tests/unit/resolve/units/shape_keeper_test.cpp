@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "pliant/examples/examples.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "support/frameworks.hpp"
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pliant/jobs/sample_task.hpp"
 #include "pliant/sample/pocket/side_chain_moves.hpp"
-#include "pliant/tasks/sample_task.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 #include "unit/tasks/sampled_molecules.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "pliant/base/elements.hpp"
-#include "pliant/molecule/read/shared/conformers.hpp"
+#include "pliant/molecule/read/shared/altlocs.hpp"
 #include "pliant/molecule/read/shared/element_of_name.hpp"
 #include "pliant/molecule/read/shared/gathering.hpp"
 #include "pliant/molecule/structure/residue_order.hpp"

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/jobs/sample_task.hpp"
+
+#include <string>
+#include <utility>
+
+#include "pliant/base/error.hpp"
+#include "pliant/conformers/torsions/conformer_framework.hpp"
+#include "pliant/model/atoms/residue_nodes.hpp"
+#include "pliant/molecule/selection.hpp"
+#include "pliant/sample/pocket/pocket.hpp"
+#include "pliant/sample/sample_fields.hpp"
+#include "pliant/sample/samplers.hpp"
+
+namespace pliant {
+namespace {
+
+/// How far turns reach was measured on proteins of 130 residues and more.
+constexpr std::size_t most_without_domains = 100;  // residues
+
+std::string_view usual_sampler(const SampleSubject& subject) {
+  const std::string_view found =
+      pliant::usual_sampler(subject.framework, subject.start, subject.has_residues);
+  const bool may_reach =
+      subject.has_residues && subject.nodes.positions.size() > most_without_domains;
+  return found == "modes" && may_reach ? "reach" : found;
+}
+
+/// Whether all frames of `reach` are those of `modes`.
+bool is_modes_alone(const SampleOptions& options) {
+  return options.near_frames >= options.first_frame + options.frames;
+}
+
+/// What `around` selects. Throws OptionError if that is no place in a protein.
+void find_place(const SampleSubject& subject, std::string_view dashes, SampleOptions& options) {
+  const std::string name = std::string(dashes) + "around";
+  options.around_joints = select_joints(subject.framework, options.around, name);
+  if (options.around.empty()) return;
+  if (options.sampler != "pocket")
+    throw OptionError(name + ": goes with sampler pocket, not with " + options.sampler);
+  pocket_around(subject.framework, subject.start, options.around_joints);
+}
+
+void choose_sampler(const SampleSubject& subject, SampleOptions& options) {
+  const bool is_open = options.sampler == automatic_sampler;
+  if (is_open)
+    options.sampler = options.around.empty() ? usual_sampler(subject) : std::string_view("pocket");
+  const bool reaches = options.sampler == "reach";
+  if (options.frames == open_frames)
+    options.frames = reaches ? 2 * usual_near_frames : SampleOptions{}.frames;
+  check(options);
+  if (!reaches) {
+    options.near_frames = 0;
+    return;
+  }
+  options.near_frames = near_frames_of(options);
+  if (!is_modes_alone(options)) return;
+  if (!is_open)
+    options.log.warn(
+        "sampler reach: all frames are those of sampler modes; it turns domains in "
+        "those from number " +
+        std::to_string(options.near_frames) + " on");
+  options.sampler = "modes";
+  options.near_frames = 0;
+}
+
+SampleOptions completed(const SampleSubject& subject, const SampleAsked& asked) {
+  SampleOptions options = asked.options;
+  if (asked.amplitude) options.amplitude = asked.amplitude->value;
+  choose_sampler(subject, options);
+  find_place(subject, asked.dashes, options);
+  if (asked.amplitude && !find_sampler(options.sampler).has_amplitude)
+    throw OptionError(std::string(asked.dashes) + "amplitude: sampler " + options.sampler +
+                      " has none: how far torsions turn is drawn");
+  return options;
+}
+
+}  // namespace
+
+SampleSubject subject_of(const MolecularModel& model) {
+  ResidueNodes found = residue_nodes(model.structure);
+  return {model.framework,
+          model.positions,
+          {std::move(found.positions), std::move(found.chain), std::move(found.of_atom)},
+          usual_model(model.structure) == ModelKind::protein};
+}
+
+SampleTask::SampleTask(SampleSubject subject, const SampleAsked& asked)
+    : subject_(std::move(subject)), options_(completed(subject_, asked)) {
+  if (!find_sampler(options_.sampler).has_amplitude)
+    conformers_ =
+        conformer_framework(subject_.framework, subject_.start, conformer_moves(options_));
+}
+
+SampleTask::SampleTask(SampleSubject subject, const SampleOptions& recorded)
+    : subject_(std::move(subject)), options_(recorded) {
+  check(options_);
+  find_place(subject_, "", options_);
+}
+
+const Framework& SampleTask::framework() const {
+  return conformers_ ? *conformers_ : subject_.framework;
+}
+
+SampleSummary SampleTask::run(const SampleObserver& observer,
+                              std::function<bool()> should_stop) const {
+  SampleOptions options = options_;
+  if (should_stop) options.should_stop = std::move(should_stop);
+  return sample(framework(), start(), nodes(), options, observer);
+}
+
+}  // namespace pliant

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/jobs/sample_task.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "pliant/conformers/torsions/conformer_framework.hpp"
+#include "pliant/sample/sample_fields.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+#include "unit/tasks/sampled_molecules.hpp"
+
+namespace pliant {
+namespace sample_task_test {
+
+SampleAsked asked(const std::string& sampler, std::int64_t frames = 3) {
+  SampleOptions options = unset_sample_options();
+  options.frames = frames;
+  options.sampler = sampler;
+  return {options};
+}
+
+std::vector<Vec3> frames_of(const SampleTask& task) {
+  std::vector<Vec3> all;
+  task.run([&](const Frame& frame) {
+    all.insert(all.end(), frame.positions.begin(), frame.positions.end());
+    return false;
+  });
+  return all;
+}
+
+TEST(SampleTask, ChoosesTheSampler) {
+  EXPECT_EQ(unset_sample_options().sampler, "auto");
+  const MolecularModel peptide = test::model_of("cyclic_hexapeptide.pdb");
+  const SampleTask modes(subject_of(peptide), asked("auto"));
+  EXPECT_EQ(modes.options().sampler, "modes");
+  EXPECT_EQ(modes.conformers(), nullptr);
+  EXPECT_EQ(&modes.framework(), &peptide.framework);
+  const MolecularModel butane = test::model_of("butane.sdf");
+  const SampleTask torsions(subject_of(butane), asked("auto"));
+  EXPECT_EQ(torsions.options().sampler, "torsions");
+  EXPECT_EQ(&torsions.framework(), torsions.conformers());
+}
+
+/// Options of a molecule that counts so many residues.
+SampleOptions chosen(std::size_t residues, const SampleAsked& given) {
+  const MolecularModel peptide = test::model_of("cyclic_hexapeptide.pdb");
+  SampleSubject subject = subject_of(peptide);
+  subject.nodes.positions.resize(residues);
+  return SampleTask(subject, given).options();
+}
+
+TEST(SampleTask, ProteinsAreReachedWithTwiceAsManyFrames) {
+  SampleAsked open = asked("auto", open_frames);
+  EXPECT_EQ(chosen(100, open).sampler, "modes");
+  EXPECT_EQ(chosen(100, open).frames, 200);
+  const SampleOptions far = chosen(101, open);
+  EXPECT_EQ(far.sampler, "reach");
+  EXPECT_EQ(far.frames, 400);
+  EXPECT_EQ(far.near_frames, 200);
+  EXPECT_EQ(chosen(101, asked("auto", 100)).sampler, "modes") << "all 100 are near";
+  EXPECT_EQ(chosen(101, asked("auto", 101)).sampler, "reach");
+}
+
+// Pieces of an ensemble have frames of one kind, if they say so.
+TEST(SampleTask, FramesThatAreAllNearAreThoseOfModes) {
+  SampleAsked piece = asked("auto", 50);
+  piece.options.first_frame = 150;
+  EXPECT_EQ(
+      test::error_text<OptionError>([&] { chosen(101, piece); }),
+      "sampler reach: frames that begin at 150 are a piece of an ensemble; give each piece the "
+      "same number of near frames");
+  piece.options.near_frames = 200;
+  EXPECT_EQ(chosen(101, piece).sampler, "modes");
+  piece.options.near_frames = 160;
+  EXPECT_EQ(chosen(101, piece).sampler, "reach");
+  std::string said;
+  piece = asked("reach", 100);
+  piece.options.log.function = [&](Severity, std::string_view text) { said = text; };
+  EXPECT_EQ(chosen(101, piece).sampler, "modes");
+  EXPECT_EQ(said,
+            "sampler reach: all frames are those of sampler modes; it turns domains in those from "
+            "number 100 on");
+}
+
+TEST(SampleTask, FramesAreThoseOfSample) {
+  const MolecularModel butane = test::model_of("butane.sdf");
+  const SampleTask task(subject_of(butane), asked("torsions"));
+  const Framework framework = conformer_framework(butane.framework, butane.positions);
+  std::vector<Vec3> expected;
+  sample(framework, butane.positions, task.nodes(), task.options(), [&](const Frame& frame) {
+    expected.insert(expected.end(), frame.positions.begin(), frame.positions.end());
+    return false;
+  });
+  EXPECT_FALSE(expected.empty());
+  EXPECT_TRUE(test::same_bits(frames_of(task), expected));
+}
+
+// The framework of conformers is in the file: it is not made from itself once more.
+TEST(SampleTask, OneThatGoesOnTakesTheFrameworkAsItIs) {
+  const MolecularModel butane = test::model_of("butane.sdf");
+  const SampleTask task(subject_of(butane), asked("torsions"));
+  const SampleTask again({task.framework(), task.start(), task.nodes()}, task.options());
+  EXPECT_EQ(again.conformers(), nullptr);
+  EXPECT_TRUE(test::same_bits(frames_of(again), frames_of(task)));
+}
+
+TEST(SampleTask, AnAmplitudeIsTakenWhereThereIsOne) {
+  const MolecularModel peptide = test::model_of("cyclic_hexapeptide.pdb");
+  SampleAsked far = asked("modes");
+  far.amplitude = AmplitudeChoice{2.5, "2.5", "as given"};
+  EXPECT_EQ(SampleTask(subject_of(peptide), far).options().amplitude, 2.5);
+  far.options.sampler = "torsions";
+  const auto refusal = [&] {
+    return test::error_text<OptionError>([&] { SampleTask(subject_of(peptide), far); });
+  };
+  EXPECT_EQ(refusal(), "amplitude: sampler torsions has none: how far torsions turn is drawn");
+  far.dashes = "--";
+  EXPECT_EQ(refusal(), "--amplitude: sampler torsions has none: how far torsions turn is drawn");
+}
+
+TEST(SampleTask, OptionsAreHeldToTheirRanges) {
+  const MolecularModel butane = test::model_of("butane.sdf");
+  SampleAsked bad = asked("modes");
+  const auto refusal = [&] {
+    return test::error_text<OptionError>([&] { SampleTask(subject_of(butane), bad); });
+  };
+  bad.options.threads = 0;
+  EXPECT_EQ(refusal(), "threads = 0: must be from 1");
+  bad = asked("modes", 0);
+  EXPECT_EQ(refusal(), "frames = 0: must be a whole number from 1, such as frames=200");
+  bad = asked("torsion");
+  EXPECT_EQ(refusal().rfind("no sampler named \"torsion\" (did you mean \"torsions\"?)", 0), 0U);
+}
+
+TEST(SampleTask, ItEndsWhereItIsToldTo) {
+  const MolecularModel peptide = test::model_of("cyclic_hexapeptide.pdb");
+  const SampleTask task(subject_of(peptide), asked("modes", 50));
+  const SampleSummary summary = task.run({}, [] { return true; });
+  EXPECT_TRUE(summary.stopped_by_caller);
+  EXPECT_LT(summary.frames, 50);
+}
+
+}  // namespace sample_task_test
+}  // namespace pliant
