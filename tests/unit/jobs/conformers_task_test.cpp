@@ -8,7 +8,7 @@
 #include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/jobs/sample_task.hpp"
 #include "support/frameworks.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace conformers_task_test {

@@ -13,7 +13,7 @@
 #include "support/frameworks.hpp"
 #include "support/temp_directory.hpp"
 #include "unit/record/recorded_runs.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace sample_rows_test {

@@ -9,7 +9,7 @@
 #include "pliant/sample/sample_fields.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace sample_task_test {

@@ -9,7 +9,7 @@
 #include "pliant/model/amplitude.hpp"
 #include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace steric_table_test {

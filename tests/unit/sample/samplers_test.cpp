@@ -7,7 +7,7 @@
 
 #include "pliant/base/error.hpp"
 #include "support/error_text.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace samplers_test {

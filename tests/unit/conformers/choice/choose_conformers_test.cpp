@@ -9,7 +9,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/math/superposition.hpp"
 #include "support/frameworks.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace choose_conformers_test {

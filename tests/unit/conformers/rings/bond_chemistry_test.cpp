@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "support/frameworks.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace bond_chemistry_test {

@@ -9,7 +9,7 @@
 #include "pliant/conformers/rings/ring_moves.hpp"
 #include "pliant/conformers/rings/ring_pucker.hpp"
 #include "pliant/conformers/rings/system_forms.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace ring_systems_test {

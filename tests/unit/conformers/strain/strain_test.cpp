@@ -11,7 +11,7 @@
 #include "pliant/conformers/strain/relaxation.hpp"
 #include "pliant/conformers/strain/torsion_gradient.hpp"
 #include "support/frameworks.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace strain_test {

@@ -9,7 +9,7 @@
 
 #include "pliant/conformers/torsions/small_sterics.hpp"
 #include "support/frameworks.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace torsion_moves_test {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace polar_atoms_test {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace rings_of_six_test {

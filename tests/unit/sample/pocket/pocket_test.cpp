@@ -12,7 +12,7 @@
 #include "pliant/sample/pocket/side_chain_moves.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
-#include "unit/tasks/sampled_molecules.hpp"
+#include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant {
 namespace pocket_test {
