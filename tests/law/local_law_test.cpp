@@ -47,8 +47,8 @@ struct Case {
   const char* technique;
   bool has_contacts;
 };
-constexpr Case cases[] = {{"units", false}, {"units_nearest", false}, {"auto", false},
-                          {"froda", false}, {"froda", true},          {"auto", true}};
+constexpr Case cases[] = {
+    {"units", false}, {"auto", false}, {"froda", false}, {"froda", true}, {"auto", true}};
 
 template <class Look>
 void each_case(const Look& look) {

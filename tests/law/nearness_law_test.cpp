@@ -58,7 +58,7 @@ TEST(Nearness, HoldsOnLongThinChains) {
   for (std::size_t joints : {100, 1000, 10'000}) {
     const Sketch sketch = zigzag(joints);
     const Framework framework = framework_of(sketch);
-    for (const char* technique : {"auto", "units", "units_nearest"})
+    for (const char* technique : {"auto", "units"})
       for (double size : {0.001, 0.01, 0.1})
         for (bool all : {false, true})
           EXPECT_LE(growth(framework, sketch.positions, technique, size,

@@ -9,7 +9,7 @@ import {wasmOfBuild} from './from_python/ask_worker.mjs';
 const root = new URL('../../../', import.meta.url).pathname;
 export const PULLS = [0.24, 0.6, 1, 1.4];  // Angstrom
 export const ORDERINGS = ['random', 'bfs_tree', 'dfs_tree', 'bfs_cycle', 'dfs_cycle', 'bfs_reverse', 'dfs_reverse',
-  'bfs_adapt', 'bfs_random', 'input', 'bfs_worst'];
+  'bfs_adapt', 'bfs_random', 'input'];
 
 export async function counter() {
   const solver = await WasmModule.start(wasmOfBuild());

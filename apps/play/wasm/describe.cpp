@@ -5,7 +5,6 @@
 
 #include "document.hpp"
 #include "pliant/molecule/secondary_structure.hpp"
-#include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant::play {
@@ -138,13 +137,6 @@ void describe_contacts(const Document& document, Reply& reply) {
   reply.add("contactLimits", std::span<const double>(limits));
 }
 
-/// Its templates take hundreds of sweeps a step where angles are held: more than a hand waits for.
-bool is_slow_for_a_hand(std::string_view technique, const Framework& framework) {
-  constexpr std::size_t few_joints = 100;
-  return technique == "froda_templates" && framework.joint_count() > few_joints &&
-         forms_rigid_units(framework);
-}
-
 /// Techniques that do not fit the framework, with the reason.
 Json unfit_told(const Framework& framework) {
   Json rows = Json::object();
@@ -152,12 +144,6 @@ Json unfit_told(const Framework& framework) {
     const TechniqueFit found = fit_of({std::string(row.name)}, framework);
     if (found.fit != Fit::fits)
       rows[std::string(row.name)] = {{"refused", found.fit == Fit::refused}, {"why", found.why}};
-    else if (is_slow_for_a_hand(row.name, framework))
-      rows[std::string(row.name)] = {
-          {"refused", false},
-          {"why",
-           "technique = froda_templates: takes hundreds of sweeps a step where angles are "
-           "held; use auto"}};
   }
   return rows;
 }

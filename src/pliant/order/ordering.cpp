@@ -59,15 +59,14 @@ void order_dfs_cycle(const OrderRequest& request, OrderScratch& scratch, Orderin
 /// the first counts, so that rounding decides nothing.
 constexpr double rounding = 1e-12;
 
-enum class Among { all_bars, non_tree_bars };
-
-/// The near end of the bar that is furthest off; the root in the first sweep and if there is none.
-Joint near_end_of_worst_bar(const OrderRequest& request, Among among) {
+/// The near end of the non-tree bar that is furthest off; the root in the first sweep and if there
+/// is none.
+Joint near_end_of_worst_bar(const OrderRequest& request) {
   Joint near = request.root;
   if (request.before == nullptr) return near;
   double worst = -1.0;
   for (const OrderedBar& visit : *request.before) {
-    if (visit.is_tree && among == Among::non_tree_bars) continue;
+    if (visit.is_tree) continue;
     const Bar bar = request.framework.bars()[visit.bar];
     const double rest = request.framework.rest_lengths()[visit.bar];
     const double error =
@@ -81,13 +80,7 @@ Joint near_end_of_worst_bar(const OrderRequest& request, Among among) {
 }
 
 void order_bfs_adapt(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
-  traverse_breadth_first(request.framework, near_end_of_worst_bar(request, Among::non_tree_bars),
-                         true, scratch, out);
-}
-
-void order_bfs_worst(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
-  traverse_breadth_first(request.framework, near_end_of_worst_bar(request, Among::all_bars), true,
-                         scratch, out);
+  traverse_breadth_first(request.framework, near_end_of_worst_bar(request), true, scratch, out);
 }
 
 void order_bfs_random(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
@@ -141,10 +134,6 @@ constexpr OrderingEntry table[] = {
      .summary = "the order of the bars in the input, or of an ordering file",
      .repeat = Repeat::same,
      .order = order_input},
-    {.name = "bfs_worst",
-     .summary = "bfs_cycle, restarted at the worst bar before each sweep",
-     .repeat = Repeat::reorder,
-     .order = order_bfs_worst},
 };
 
 }  // namespace

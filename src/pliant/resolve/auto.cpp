@@ -85,8 +85,7 @@ struct Chain {
 };
 
 /// `shake` goes along the bars as they were before the push, so large rings that are pushed far
-/// follow it where Newton's method loses its way; sweeps arrive where matrices are singular. Where
-/// `units` does not arrive `units_nearest` does not either: it begins with the same pass.
+/// follow it where Newton's method loses its way; sweeps arrive where matrices are singular.
 const std::vector<Chain>& chains() {
   static const std::vector<Chain> rows = {{"blocks", {"shake", "newton", "anderson"}},
                                           {"units", {"shake", "newton", "anderson"}},

@@ -31,10 +31,10 @@ class Resolver {
   /// If a length stops being finite, the positions are restored.
   ///
   /// `disturbed` says what may be broken; its root is where orderings begin. Where it lists joints,
-  /// nothing else has moved since all was whole: `blocks`, and with a reference `units`,
-  /// `units_nearest` and `froda`, then look only at what these reach, at a cost that does not
-  /// depend on the size of the framework; other techniques do as ever. The summary's residuals are
-  /// then those of the bars at the joints listed and at moved(), and rms_residual is -1.
+  /// nothing else has moved since all was whole: `blocks`, and with a reference `units` and
+  /// `froda`, then look only at what these reach, at a cost that does not depend on the size of the
+  /// framework; other techniques do as ever. The summary's residuals are then those of the bars at
+  /// the joints listed and at moved(), and rms_residual is -1.
   ///
   /// Random draws depend on the step number `step`. `reference` (N, or none, Angstrom) are whole
   /// positions before the push, where `froda` and regions of units begin, and from which `shake`

@@ -19,7 +19,6 @@
 #include "pliant/resolve/sweeps/custom_sweeps.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
 #include "pliant/resolve/units/shape_keeper.hpp"
-#include "pliant/resolve/units/templates.hpp"
 
 namespace pliant {
 namespace {
@@ -68,21 +67,11 @@ constexpr TechniqueEntry method_entries[] = {
      .has_weighting = false,
      .make = make_local_units,
      .carries = true},
-    {.name = "units_nearest",
-     .summary = "units, then all hinges turned at once towards where the joints were",
-     .has_weighting = false,
-     .make = make_local_units_nearest,
-     .carries = true},
     {.name = "froda",
      .summary = "rigid units turned about their hinges, towards the push and out of contacts",
      .has_weighting = false,
      .knows_limits = true,
      .make = make_local_froda},
-    {.name = "froda_templates",
-     .summary = "rigid units and the joints that they share fitted to each other in turn (FRODA)",
-     .has_weighting = false,
-     .knows_limits = true,
-     .make = make_templates},
 };
 
 constexpr TechniqueEntry custom_entry{.name = custom_technique,

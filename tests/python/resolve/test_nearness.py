@@ -50,7 +50,7 @@ def test_molecules_stay_as_near_as_the_page_says(name: str) -> None:
             assert (found <= allowed).all(), (case.name, kind, found)
 
 
-@pytest.mark.parametrize("name", ["auto", "units", "units_nearest"])
+@pytest.mark.parametrize("name", ["auto", "units"])
 def test_proteins_stay_as_near_as_the_page_says(name: str) -> None:
     cases = [case for file in large_files() for case in cases_of(file)]
     if not cases:

@@ -54,7 +54,7 @@ def test_all_kinds_of_group_are_there() -> None:
         assert all(len(quadruples[kind]) > 0 for kind in KINDS)
 
 
-@pytest.mark.parametrize("name", ["auto", "units", "units_nearest"])
+@pytest.mark.parametrize("name", ["auto", "units"])
 def test_units_hold_planar_groups_with_and_without_hydrogens(name: str) -> None:
     check(name)
 

@@ -100,9 +100,9 @@ def test_of_a_protein_model_most_are_doubtful_or_refused() -> None:
     model = pliant.build_model(pliant.read(files.PDB_small), "protein")
     fits = {name: fit for name, fit, _ in pliant.techniques_for(model.framework)}
     for row in pliant.techniques():
-        if row.name in ("auto", "froda", "froda_templates"):
+        if row.name in ("auto", "froda"):
             assert fits[row.name] == "fits"
-        elif row.name in ("blocks", "newton", "shake", "units", "units_nearest"):
+        elif row.name in ("blocks", "newton", "shake", "units"):
             assert fits[row.name] == "refused"
         else:
             assert fits[row.name] == ("refused" if row.forests_only else "doubtful"), row.name

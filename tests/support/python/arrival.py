@@ -28,7 +28,7 @@ PUSHES: dict[str, dict[str, str | float]] = {
     "displacement 0.5": {"push": "displacement", "displacement": 0.5},
 }
 BARS = ("bonds", "angles")
-OTHERS = ("shake", "newton", "units_nearest")
+OTHERS = ("shake", "newton")
 #: A step may look at so many times as many bars as the median step of its run; a push of one joint
 #: that mostly reaches few bars, at so many times as many as there are.
 MOST_OVER_MEDIAN = 50.0

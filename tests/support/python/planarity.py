@@ -20,7 +20,7 @@ import pliant
 
 STEPS = 100
 #: The others sweep, and do not get angles whole.
-DIRECT = ("auto", "froda", "newton", "shake", "units", "units_nearest")
+DIRECT = ("auto", "froda", "newton", "shake", "units")
 #: Torsions, each atom bonded to the next; in one residue or from one to the next.
 TORSIONS = {
     "omega": [("CA", "C", "N", "CA")],

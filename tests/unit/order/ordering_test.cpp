@@ -36,7 +36,7 @@ TEST(Orderings, NamesAreUniqueAndSaidInErrors) {
   EXPECT_EQ(test::error_text<OptionError>([] { find_ordering("bsf_cycle"); }),
             "no ordering named \"bsf_cycle\" (did you mean \"bfs_cycle\"?); known: random, "
             "bfs_tree, dfs_tree, bfs_cycle, dfs_cycle, bfs_reverse, dfs_reverse, bfs_adapt, "
-            "bfs_random, input, bfs_worst");
+            "bfs_random, input");
 }
 
 TEST(InputOrdering, IsTheOrderOfTheBarsFromTheirFirstJoints) {

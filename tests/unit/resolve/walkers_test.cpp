@@ -23,7 +23,7 @@ TEST(WalkerResolver, HasLanesForWhatIsTheSameForAllWalkers) {
   for (const char* name : {"bfs_cycle", "bfs_reverse", "dfs_cycle", "dfs_reverse", "input",
                            "blocks", "newton", "shake"})
     EXPECT_NE(WalkerResolver(framework, {name}).level(), "") << name;
-  for (const char* name : {"random", "bfs_random", "bfs_worst", "bfs_adapt", "anderson", "units"})
+  for (const char* name : {"random", "bfs_random", "bfs_adapt", "anderson", "units"})
     EXPECT_EQ(WalkerResolver(framework, {name}).level(), "") << name;
 }
 

@@ -50,7 +50,7 @@ export class Resolve {
   /** In few words why it is grey; the whole reason is the option's title. */
   reason(technique, {refused}) {
     const row = this.techniques.find(({name}) => name === technique);
-    if (!refused) return technique === 'froda_templates' ? 'slow on rigid angles' : 'stuck on rigid angles';
+    if (!refused) return 'stuck on rigid angles';
     return row?.forestsOnly ? 'for trees alone' : 'knows no limits';
   }
 

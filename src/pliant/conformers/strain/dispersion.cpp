@@ -23,13 +23,13 @@ constexpr UffAtom uff[] = {{1, 2.886, 0.044},  {5, 4.083, 0.180},  {6, 3.851, 0.
                            {14, 4.295, 0.402}, {15, 4.147, 0.305}, {16, 4.035, 0.274},
                            {17, 3.947, 0.227}, {34, 4.205, 0.291}, {35, 4.189, 0.251},
                            {53, 4.500, 0.339}};
-constexpr UffAtom carbon = uff[2];
+constexpr UffAtom uff_carbon = uff[2];
 
 UffAtom uff_of(const Framework& framework, Joint atom) {
-  if (framework.atoms() == nullptr) return carbon;
+  if (framework.atoms() == nullptr) return uff_carbon;
   const std::uint8_t element = framework.atoms()->elements[atom];
   const auto* const found = std::ranges::find(uff, element, &UffAtom::element);
-  return found == std::end(uff) ? carbon : *found;
+  return found == std::end(uff) ? uff_carbon : *found;
 }
 
 /// Atoms fewer bonds away.

@@ -7,8 +7,8 @@
 
 namespace pliant {
 
-/// None for orderings that are asked again before each sweep (`random`, `bfs_random`, `bfs_adapt`,
-/// `bfs_worst`): they differ from walker to walker.
+/// None for orderings that are asked again before each sweep (`random`, `bfs_random`, `bfs_adapt`):
+/// they differ from walker to walker.
 std::unique_ptr<LaneMethod> make_lane_sweeps(const LaneSetting& setting);
 
 }  // namespace pliant

@@ -138,12 +138,6 @@ std::unique_ptr<Method> make_local_units(const Framework& framework, const Techn
   return std::make_unique<LocalSteps>(framework, technique, options, weight_of_units, make_units);
 }
 
-std::unique_ptr<Method> make_local_units_nearest(const Framework& framework,
-                                                 const Technique& technique,
-                                                 const ResolveOptions& options) {
-  return std::make_unique<LocalSteps>(framework, technique, options, 1.0, make_units_nearest);
-}
-
 std::unique_ptr<Method> make_local_froda(const Framework& framework, const Technique& technique,
                                          const ResolveOptions& options) {
   return std::make_unique<LocalSteps>(framework, technique, options, 1.0, make_froda);

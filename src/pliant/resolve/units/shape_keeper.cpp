@@ -15,7 +15,7 @@ namespace {
 
 /// Units that share joints may bend each other once more.
 constexpr int most_fits = 3;
-/// Sweeps of `units_nearest` in all.
+/// Sweeps of make_units_nearest() in all.
 constexpr std::int64_t most_sweeps = 20;
 
 class ShapeKeeper final : public Method {
@@ -58,7 +58,7 @@ class ShapeKeeper final : public Method {
     if (!units_) {
       ResolveOptions options = options_;
       options.max_sweeps = std::min(options.max_sweeps, most_sweeps);
-      units_ = make_units_nearest(framework_, {"units_nearest", 0.5, true}, options);
+      units_ = make_units_nearest(framework_, {"units", 0.5, true}, options);
     }
     std::copy(pushed_.begin(), pushed_.end(), call.positions.begin());
     if (keep_if_whole(call, *units_, summary) && find_bent(call))
