@@ -12,8 +12,8 @@
 #include "pliant/sample/samplers.hpp"
 #include "support/frameworks.hpp"
 #include "support/temp_directory.hpp"
-#include "unit/record/recorded_runs.hpp"
 #include "unit/jobs/sampled_molecules.hpp"
+#include "unit/record/recorded_runs.hpp"
 
 namespace pliant {
 namespace sample_rows_test {

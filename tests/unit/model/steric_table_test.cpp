@@ -8,8 +8,8 @@
 
 #include "pliant/model/amplitude.hpp"
 #include "support/error_text.hpp"
-#include "unit/molecule/made_structure.hpp"
 #include "unit/jobs/sampled_molecules.hpp"
+#include "unit/molecule/made_structure.hpp"
 
 namespace pliant {
 namespace steric_table_test {
