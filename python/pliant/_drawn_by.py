@@ -5,16 +5,18 @@ from __future__ import annotations
 
 import numpy as np
 
+from pliant import _core
+
 #: Names by value; "other" are those of samplers that draw in one way.
-DRAWN_BY = ("other", "modes", "wide modes", "turns", "turns with modes", "pocket")
+DRAWN_BY = tuple(name.replace("_", " ") for name in _core.drawn_by_names())
 #: Frames up to this value are around the start; others go further.
-DRAWN_ALONG_MODES = 1
+DRAWN_ALONG_MODES = DRAWN_BY.index("modes")
 
 
 def around_start(drawn_by: np.ndarray | None) -> np.ndarray | None:
     """(F,) bool: frames by which flexibility is computed; None: all.
 
-    An ensemble of sampler ``reach`` has others besides, which show where else it could be.
+    An ensemble may have others besides, which show where else it could be.
     """
     if drawn_by is None:
         return None

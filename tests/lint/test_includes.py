@@ -228,6 +228,7 @@ SYSTEM = LIBRARY / "base" / "system"  # one source for each kind of system
 WITHOUT_HEADER = re.compile(r"examples_\w+\.cpp|families\.cpp|lane_level\.cpp")
 # Finders of contacts are declared by their rows.
 CONTACT_KINDS = (ROOT / "src" / "pliant" / "framework" / "contact_kind_rows.hpp").read_text()
+SAMPLERS = (ROOT / "src" / "pliant" / "sample" / "samplers.cpp").read_text()
 
 
 def test_every_source_has_a_header_of_its_name():
@@ -237,6 +238,7 @@ def test_every_source_has_a_header_of_its_name():
             for path in files(".cpp", folders=("src",))
             if not WITHOUT_HEADER.fullmatch(path.name)
             and f"find_{path.stem}," not in CONTACT_KINDS
+            and f"make_{path.stem}," not in SAMPLERS
             and not path.with_suffix(".hpp").exists()
             and not (SYSTEM / path.name).with_suffix(".hpp").exists()
             and not path.with_name(path.stem + "_internal.hpp").exists()

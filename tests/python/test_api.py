@@ -98,6 +98,7 @@ def test_everything_public_is_there():
         *("ForceRecorder", "run_shard", "run_steps", "version"),
         *("Checkpoint", "check_hdf5_structure", "expansion_refusal", "read_checkpoint"),
         *("SampledFrames", "select_atoms", "writer_of", "near_frames", "OutputFile"),
+        "drawn_by_names",
         *("PathEnds", "PathFrame", "PathOptions", "PathWalk", "TightPlace"),
         *("path_rows", "tight_places"),
         *("ResidueMatch", "Trace", "align", "amino_acid_letters", "match_residues", "trace_of"),

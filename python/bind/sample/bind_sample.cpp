@@ -282,7 +282,19 @@ void bind_sample_function(nb::module_& module) {
 void bind_sample(nb::module_& module) {
   bind_row<SamplerEntry>(module, "SamplerEntry", "One row of the table of samplers.")
       .def_ro("has_amplitude", &SamplerEntry::has_amplitude,
-              "Whether frames are asked for an amplitude (Angstrom).");
+              "Whether frames are asked for an amplitude (Angstrom).")
+      .def_ro("has_place", &SamplerEntry::has_place, "Whether it takes ``around``.")
+      .def_ro("near_sampler", &SamplerEntry::near_sampler,
+              "The sampler that draws its first ``near_frames``; empty: none does.")
+      .def_ro("frames", &SamplerEntry::frames, "How many, if not said.");
+  module.def(
+      "drawn_by_names",
+      [] {
+        std::vector<std::string_view> names;
+        for (std::size_t k = 0; k < drawn_by_count; ++k) names.push_back(name(DrawnBy(k)));
+        return names;
+      },
+      "How frames of samplers may be drawn, by the number in ``/observables/sampler``.");
   module.def(
       "samplers", [] { return rows_of(samplers()); }, nb::rv_policy::reference,
       "The table of ways to move that ``sample`` knows.");

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from pliant.analysis import RunRecord
 
 ENSEMBLE = "ensemble"  #: `pliant sample`: frames are independent
-PATH = "path"  #: `pliant run`, or sampler `walk`: each frame is the one before, pushed
+PATH = "path"  #: `pliant run`: each frame is the one before, pushed
 TRANSITION = "transition"  #: `pliant path`: each frame is nearer to another structure
 TRAJECTORY = "trajectory"  #: another program's: frames may be anything
 
@@ -46,7 +46,6 @@ def kind_of(record: RunRecord | None) -> str:
     parameters = record.parameters if record else {}
     if "path/end" in parameters:
         return TRANSITION
-    sampler = parameters.get("sample/sampler")
-    if sampler is not None:
-        return PATH if sampler == "walk" else ENSEMBLE
+    if "sample/sampler" in parameters:
+        return ENSEMBLE
     return PATH if any(name.startswith("run/") for name in parameters) else TRAJECTORY

@@ -105,8 +105,7 @@ def read_trace(
 ) -> tuple[np.ndarray, np.ndarray | None]:
     """Frames (F, k, 3) of some of our atoms, and their numbers (F,) where they are independent.
 
-    Frames of `pliant sample` are, but for those of a walk. Raises InputError where there are fewer
-    than two frames.
+    Frames of `pliant sample` are. Raises InputError where there are fewer than two frames.
     """
     from pliant.analysis.record import read_record
 
@@ -116,8 +115,7 @@ def read_trace(
     pieces = np.array_split(chosen, max(1, len(chosen) // 100))
     positions = np.concatenate([recording.positions(piece)[:, atoms] for piece in pieces])
     record = read_record(recording.path)
-    sampler = record.parameters.get("sample/sampler", "") if record else ""
-    independent = sampler not in ("", "walk")
+    independent = record is not None and "sample/sampler" in record.parameters
     return positions, recording.steps[chosen] if independent else None
 
 

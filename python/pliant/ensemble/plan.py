@@ -76,8 +76,9 @@ class EnsemblePlan:
     @property
     def may_reach(self) -> bool:
         """Whether some frames of a sample may go further than those around the start."""
+        reaching = [[row.name] for row in _core.samplers() if row.near_sampler]
         sampler = self.options.get("--sampler", [["auto"]])[-1]
-        return self.command == "sample" and sampler in (["auto"], ["reach"])
+        return self.command == "sample" and sampler in (["auto"], *reaching)
 
     @property
     def shard_count(self) -> int:

@@ -178,7 +178,7 @@ def walkers_of(file: h5py.File, plan: EnsemblePlan) -> np.ndarray:
 
 
 def around_start(file: h5py.File, plan: EnsemblePlan) -> np.ndarray:
-    """(F,) bool: frames by which flexibility is computed. Those of `reach` that go further are not.
+    """(F,) bool: frames by which flexibility is computed. Those that go further are not.
 
     Of another sampler all are, and of runs.
     """

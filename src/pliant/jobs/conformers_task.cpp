@@ -11,6 +11,7 @@
 #include "pliant/conformers/strain/relaxation.hpp"
 #include "pliant/conformers/strain/strain.hpp"
 #include "pliant/jobs/sample_task.hpp"
+#include "pliant/sample/samplers.hpp"
 
 namespace pliant {
 namespace {
@@ -33,7 +34,7 @@ SampleAsked torsions_asked(std::int64_t first, std::int64_t frames, bool is_firs
   wanted.options.ring_systems = is_first_start;
   wanted.options.turn_amides = asked.turn_amides;
   wanted.options.threads = asked.threads;
-  wanted.options.sampler = "torsions";
+  wanted.options.sampler = conformer_sampler().name;
   wanted.options.first_frame = first;
   wanted.options.frames = frames;
   wanted.options.seed = asked.seed;

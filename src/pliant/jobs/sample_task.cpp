@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/jobs/sample_task.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -15,19 +16,13 @@
 namespace pliant {
 namespace {
 
-/// How far turns reach was measured on proteins of 130 residues and more.
-constexpr std::size_t most_without_domains = 100;  // residues
-
-std::string_view usual_sampler(const SampleSubject& subject) {
-  const std::string_view found =
-      pliant::usual_sampler(subject.framework, subject.start, subject.has_residues);
-  const bool may_reach =
-      subject.has_residues && subject.nodes.positions.size() > most_without_domains;
-  return found == "modes" && may_reach ? "reach" : found;
+std::string_view usual_sampler(const SampleSubject& subject, const SampleOptions& options) {
+  const std::size_t residues = subject.has_residues ? subject.nodes.positions.size() : 0;
+  return pliant::usual_sampler(subject.framework, subject.start, residues, !options.around.empty());
 }
 
-/// Whether all frames of `reach` are those of `modes`.
-bool is_modes_alone(const SampleOptions& options) {
+/// Whether all frames are near ones.
+bool is_near_alone(const SampleOptions& options) {
   return options.near_frames >= options.first_frame + options.frames;
 }
 
@@ -36,31 +31,28 @@ void find_place(const SampleSubject& subject, std::string_view dashes, SampleOpt
   const std::string name = std::string(dashes) + "around";
   options.around_joints = select_joints(subject.framework, options.around, name);
   if (options.around.empty()) return;
-  if (options.sampler != "pocket")
-    throw OptionError(name + ": goes with sampler pocket, not with " + options.sampler);
+  if (!find_sampler(options.sampler).has_place)
+    throw OptionError(
+        name + ": goes with sampler " +
+        std::string(std::ranges::find(samplers(), true, &SamplerEntry::has_place)->name) +
+        ", not with " + options.sampler);
   pocket_around(subject.framework, subject.start, options.around_joints);
 }
 
 void choose_sampler(const SampleSubject& subject, SampleOptions& options) {
   const bool is_open = options.sampler == automatic_sampler;
-  if (is_open)
-    options.sampler = options.around.empty() ? usual_sampler(subject) : std::string_view("pocket");
-  const bool reaches = options.sampler == "reach";
-  if (options.frames == open_frames)
-    options.frames = reaches ? 2 * usual_near_frames : SampleOptions{}.frames;
+  if (is_open) options.sampler = usual_sampler(subject, options);
+  const SamplerEntry& sampler = find_sampler(options.sampler);
+  if (options.frames == open_frames) options.frames = sampler.frames;
   check(options);
-  if (!reaches) {
-    options.near_frames = 0;
-    return;
-  }
-  options.near_frames = near_frames_of(options);
-  if (!is_modes_alone(options)) return;
+  options.near_frames = sampler.near_sampler.empty() ? 0 : near_frames_of(options);
+  if (options.near_frames == 0 || !is_near_alone(options)) return;
+  const std::string near(sampler.near_sampler);
   if (!is_open)
-    options.log.warn(
-        "sampler reach: all frames are those of sampler modes; it turns domains in "
-        "those from number " +
-        std::to_string(options.near_frames) + " on");
-  options.sampler = "modes";
+    options.log.warn("sampler " + options.sampler + ": all frames are those of sampler " + near +
+                     "; it turns domains in those from number " +
+                     std::to_string(options.near_frames) + " on");
+  options.sampler = near;
   options.near_frames = 0;
 }
 

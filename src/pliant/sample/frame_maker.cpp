@@ -5,7 +5,6 @@
 #include <cmath>
 #include <ctime>
 
-#include "pliant/base/math/superposition.hpp"
 #include "pliant/framework/measures/residual.hpp"
 
 namespace pliant {
@@ -62,47 +61,43 @@ double rms_distance(std::span<const Vec3> one, std::span<const Vec3> other) {
 
 FrameMaker::FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler)
     : framework_(framework), sampler_(sampler), solver_(framework, plan) {
-  if (!sampler.is_walk() && sampler.steps_a_frame() == 1 && FrodaLanes::can_take(plan))
+  if (sampler.steps_a_frame() == 1 && FrodaLanes::can_take(plan))
     lanes_ = std::make_unique<FrodaLanes>(framework, plan);
 }
 
-void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
-                      MadeFrame& out) {
+void FrameMaker::make(std::int64_t number, std::span<const Vec3> start, MadeFrame& out) {
   const double begun = thread_seconds();
   out = MadeFrame{};
-  out.positions.resize(now.size());
-  now_.assign(now.begin(), now.end());
-  before_.assign(before.begin(), before.end());
+  out.positions.resize(start.size());
+  now_.assign(start.begin(), start.end());
   for (int step = 0; step < sampler_.steps_a_frame(); ++step) {
-    out.is_made = make_step(number, step, now_, before_, out);
+    out.is_made = make_step(number, step, now_, out);
     if (!out.is_made) break;
-    before_.swap(now_);
     now_ = out.positions;
   }
   finish(out);
-  if (sampler_.is_walk()) keep_in_place(now, out);
   out.cpu_seconds = thread_seconds() - begun;
 }
 
-void FrameMaker::make_many(std::int64_t first, std::span<const Vec3> now,
+void FrameMaker::make_many(std::int64_t first, std::span<const Vec3> start,
                            std::span<MadeFrame> out) {
   const double begun = thread_seconds();
   requests_.resize(out.size());
   jobs_.clear();
   for (std::size_t k = 0; k < out.size(); ++k) {
     out[k] = MadeFrame{};
-    out[k].positions.resize(now.size());
+    out[k].positions.resize(start.size());
     FrameRequest& request = requests_[k];
-    sampler_.ask(first + static_cast<std::int64_t>(k), 0, 0, now, now, request);
-    jobs_.push_back({push_of(request, now), out[k].positions});
+    sampler_.ask(first + static_cast<std::int64_t>(k), 0, 0, start, request);
+    jobs_.push_back({push_of(request, start), out[k].positions});
   }
   lanes_->resolve(jobs_, careful());
   for (std::size_t k = 0; k < out.size(); ++k) {
     out[k].result = jobs_[k].result;
     out[k].steps = out[k].result.steps;
     std::swap(request_, requests_[k]);
-    out[k].is_made = out[k].result.is_whole || rescue(from(request_, now), out[k]) ||
-                     draw_again(first + static_cast<std::int64_t>(k), 0, now, now, out[k]);
+    out[k].is_made = out[k].result.is_whole || rescue(from(request_, start), out[k]) ||
+                     draw_again(first + static_cast<std::int64_t>(k), 0, start, out[k]);
     finish(out[k]);
   }
   const double share = (thread_seconds() - begun) / double(out.size());
@@ -128,29 +123,19 @@ FrodaPush FrameMaker::push_of(const FrameRequest& request, std::span<const Vec3>
           request.course.at ? &request.course : nullptr};
 }
 
-/// A walk's frame lies on the one before: as a whole it would drift away.
-void FrameMaker::keep_in_place(std::span<const Vec3> start, MadeFrame& out) const {
-  out.before = before_;
-  if (!out.is_made) return;
-  const RigidMotion back = superposition(out.positions, start);
-  for (Vec3& x : out.positions) x = back(x);
-  for (Vec3& x : out.before) x = back(x);
-}
-
 /// The draw itself, by careful steps, else rescued; then drawn again.
 bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> now,
-                           std::span<const Vec3> before, MadeFrame& out) {
-  sampler_.ask(number, step, 0, now, before, request_);
+                           MadeFrame& out) {
+  sampler_.ask(number, step, 0, now, request_);
   const std::span<const Vec3> start = from(request_, now);
-  return resolve(start, careful(), out) || rescue(start, out) ||
-         draw_again(number, step, now, before, out);
+  return resolve(start, careful(), out) || rescue(start, out) || draw_again(number, step, now, out);
 }
 
 bool FrameMaker::draw_again(std::int64_t number, int step, std::span<const Vec3> now,
-                            std::span<const Vec3> before, MadeFrame& out) {
+                            MadeFrame& out) {
   for (int attempt = 1; attempt <= most_redraws; ++attempt) {
     ++out.redraws;
-    sampler_.ask(number, step, attempt, now, before, request_);
+    sampler_.ask(number, step, attempt, now, request_);
     const std::span<const Vec3> start = from(request_, now);
     if (resolve(start, careful(), out) || rescue(start, out)) return true;
   }

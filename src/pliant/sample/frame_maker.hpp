@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes frames: asks a sampler, resolves, and repeats where that fails. Independent frames are
-// resolved in SIMD lanes.
+// Makes frames: asks a sampler, resolves, and repeats where that fails. Frames of one step
+// are resolved in SIMD lanes.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,6 @@ namespace pliant {
 struct MadeFrame {
   bool is_made = false;
   std::vector<Vec3> positions;           ///< (N)
-  std::vector<Vec3> before;              ///< (N) of a walk, one step earlier; otherwise empty
   std::vector<std::uint8_t> limits_off;  ///< (L) or empty
   double max_residual = 0.0, rms_residual = 0.0;
   BarIndex worst_bar = 0;
@@ -41,26 +40,21 @@ class FrameMaker {
   /// All must outlive it.
   FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler);
 
-  /// Makes frame `number`, which begins at `now`; `before` is where the step before began.
-  void make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
-            MadeFrame& out);
-  /// Whether it has lanes: then no frame depends on others, and each takes one step.
+  /// Makes frame `number`, which begins at `start`.
+  void make(std::int64_t number, std::span<const Vec3> start, MadeFrame& out);
+  /// Whether it has lanes: then each frame takes one step.
   bool has_lanes() const { return lanes_ != nullptr; }
-  /// Makes frames from `first` on, which all begin at `now`, with the bits of make(). Only with
-  /// lanes.
-  void make_many(std::int64_t first, std::span<const Vec3> now, std::span<MadeFrame> out);
+  /// Makes frames from `first` on, with the bits of make(). Only with lanes.
+  void make_many(std::int64_t first, std::span<const Vec3> start, std::span<MadeFrame> out);
 
  private:
-  bool draw_again(std::int64_t number, int step, std::span<const Vec3> now,
-                  std::span<const Vec3> before, MadeFrame& out);
+  bool draw_again(std::int64_t number, int step, std::span<const Vec3> now, MadeFrame& out);
   bool rescue(std::span<const Vec3> from, MadeFrame& out);
   void finish(MadeFrame& out) const;
   static std::span<const Vec3> from(const FrameRequest& request, std::span<const Vec3> now);
   static FrodaPush push_of(const FrameRequest& request, std::span<const Vec3> now);
-  bool make_step(std::int64_t number, int step, std::span<const Vec3> now,
-                 std::span<const Vec3> before, MadeFrame& out);
+  bool make_step(std::int64_t number, int step, std::span<const Vec3> now, MadeFrame& out);
   bool resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out);
-  void keep_in_place(std::span<const Vec3> start, MadeFrame& out) const;
   void measure_bars(MadeFrame& out) const;
 
   const Framework& framework_;
@@ -70,7 +64,7 @@ class FrameMaker {
   FrameRequest request_;
   std::vector<FrameRequest> requests_;  ///< of make_many()
   std::vector<FrodaJob> jobs_;
-  std::vector<Vec3> now_, before_;
+  std::vector<Vec3> now_;
 };
 
 }  // namespace pliant

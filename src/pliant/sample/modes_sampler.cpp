@@ -6,6 +6,7 @@
 #include "pliant/sample/amplitudes.hpp"
 #include "pliant/sample/network/network_modes.hpp"
 #include "pliant/sample/sample_options.hpp"
+#include "pliant/sample/samplers.hpp"
 
 namespace pliant {
 namespace {
@@ -32,7 +33,7 @@ ModesSampler::ModesSampler(const SamplerSetting& setting, NetworkModes modes)
 }
 
 void ModesSampler::ask(std::int64_t frame, int, int attempt, std::span<const Vec3>,
-                       std::span<const Vec3>, FrameRequest& request) const {
+                       FrameRequest& request) const {
   request.targets.resize(start_.size());
   displace(frame, attempt, request.targets);
   for (std::size_t k = 0; k < start_.size(); ++k) request.targets[k] += start_[k];
@@ -48,6 +49,10 @@ void ModesSampler::displace(std::int64_t frame, int attempt, std::span<Vec3> out
   const DenseMatrix& block =
       blocks_[static_cast<std::size_t>(frame / frames_a_block - first_block_)];
   moves_.displacements(block.row(static_cast<std::size_t>(frame % frames_a_block)), out);
+}
+
+std::unique_ptr<Sampler> make_modes_sampler(const SamplerSetting& setting) {
+  return std::make_unique<ModesSampler>(setting);
 }
 
 }  // namespace pliant

@@ -17,7 +17,7 @@ class ModesSampler : public Sampler {
   ModesSampler(const SamplerSetting& setting, NetworkModes modes);
 
   void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
-           std::span<const Vec3> before, FrameRequest& request) const override;
+           FrameRequest& request) const override;
 
   /// (N, Angstrom) How far the modes move each joint in a frame. `frame` must be one of those of
   /// the options.

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/sample/pocket_sampler.hpp"
-
+// Sampler `pocket`: frames that open or close one place.
 #include <utility>
 
 #include "pliant/base/random.hpp"
+#include "pliant/sample/modes_sampler.hpp"
 #include "pliant/sample/network/network_modes.hpp"
+#include "pliant/sample/pocket/pocket.hpp"
+#include "pliant/sample/pocket/pocket_turns.hpp"
+#include "pliant/sample/pocket/side_chain_moves.hpp"
 #include "pliant/sample/sample_options.hpp"
+#include "pliant/sample/samplers.hpp"
 #include "pliant/sample/turns/course_measures.hpp"
 
 namespace pliant {
@@ -23,7 +27,30 @@ std::vector<bool> nodes_in(const Pocket& place, const std::vector<std::uint32_t>
   return in_place;
 }
 
-}  // namespace
+/// Side chains of the place are redrawn from rotamers, segments and domains beside it turn, and all
+/// goes along a draw of the modes. Contacts that this would tear are let go.
+class PocketSampler final : public Sampler {
+ public:
+  explicit PocketSampler(const SamplerSetting& setting);
+  PocketSampler(const SamplerSetting& setting, const NetworkModes& modes);
+
+  void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+           FrameRequest& request) const override;
+
+ private:
+  void turn(const DrawnTurns& turned, const std::vector<Vec3>& moves, FrameRequest& request) const;
+  void let_go(std::span<const Vec3> without_modes, FrameRequest& request) const;
+
+  const Framework& framework_;
+  std::span<const Vec3> start_;
+  const NetworkNodes& nodes_;
+  std::vector<std::uint32_t> of_joint_;
+  Pocket place_;
+  PocketTurns turns_;
+  SideChainMoves side_chains_;
+  ModesSampler modes_;
+  std::uint64_t seed_;
+};
 
 PocketSampler::PocketSampler(const SamplerSetting& setting)
     : PocketSampler(setting, network_modes(setting.nodes, setting.options.network)) {}
@@ -40,7 +67,7 @@ PocketSampler::PocketSampler(const SamplerSetting& setting, const NetworkModes& 
       seed_(setting.options.seed) {}
 
 void PocketSampler::ask(std::int64_t frame, int, int attempt, std::span<const Vec3>,
-                        std::span<const Vec3>, FrameRequest& request) const {
+                        FrameRequest& request) const {
   RandomSequence draws({seed_, Domain::pocket, static_cast<std::uint64_t>(attempt),
                         static_cast<std::uint64_t>(frame), 0});
   std::vector<Vec3> moves(start_.size());
@@ -81,6 +108,12 @@ void PocketSampler::let_go(std::span<const Vec3> without_modes, FrameRequest& re
   for (std::size_t k = 0; k < torn.size(); ++k)
     if (place_.has_joint[limits[k].a] || place_.has_joint[limits[k].b])
       request.limits_off[k] |= torn[k];
+}
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_pocket_sampler(const SamplerSetting& setting) {
+  return std::make_unique<PocketSampler>(setting);
 }
 
 }  // namespace pliant

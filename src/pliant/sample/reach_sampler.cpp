@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/sample/reach_sampler.hpp"
-
+// Sampler `reach`: where the molecule is, and where else it could be.
 #include <algorithm>
 #include <utility>
 
+#include "pliant/sample/modes_sampler.hpp"
+#include "pliant/sample/network/network_modes.hpp"
 #include "pliant/sample/sample_options.hpp"
+#include "pliant/sample/samplers.hpp"
+#include "pliant/sample/turns_sampler.hpp"
 
 namespace pliant {
 namespace {
@@ -31,7 +34,26 @@ std::unique_ptr<ModesSampler> modes_of(const SamplerSetting& setting, const Netw
       modes);
 }
 
-}  // namespace
+/// The first `near_frames` frames are those of `modes`, to the bit. Of each four others one goes
+/// along the modes twice as far, two are turns, and one is a turn with a draw of the modes on top.
+/// Where no domain can turn, all others go along wide modes.
+class ReachSampler final : public Sampler {
+ public:
+  explicit ReachSampler(const SamplerSetting& setting);
+  ReachSampler(const SamplerSetting& setting, const NetworkModes& modes);
+
+  void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+           FrameRequest& request) const override;
+
+ private:
+  void ask_wide(std::int64_t number, int attempt, std::span<const Vec3> now,
+                FrameRequest& request) const;
+
+  std::int64_t near_frames_;
+  std::size_t joints_;
+  TurnsSampler turns_;
+  std::unique_ptr<ModesSampler> near_, wide_, on_top_;  ///< null: none of the frames needs it
+};
 
 ReachSampler::ReachSampler(const SamplerSetting& setting)
     : ReachSampler(setting, network_modes(setting.nodes, setting.options.network)) {}
@@ -51,8 +73,8 @@ ReachSampler::ReachSampler(const SamplerSetting& setting, const NetworkModes& mo
 }
 
 void ReachSampler::ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
-                       std::span<const Vec3> before, FrameRequest& request) const {
-  if (frame < near_frames_) return near_->ask(frame, step, attempt, now, before, request);
+                       FrameRequest& request) const {
+  if (frame < near_frames_) return near_->ask(frame, step, attempt, now, request);
   const std::int64_t number = frame - near_frames_;
   if (turns_.empty() || number % a_round == 0) return ask_wide(number, attempt, now, request);
   std::vector<Vec3> moves;
@@ -65,8 +87,14 @@ void ReachSampler::ask(std::int64_t frame, int step, int attempt, std::span<cons
 
 void ReachSampler::ask_wide(std::int64_t number, int attempt, std::span<const Vec3> now,
                             FrameRequest& request) const {
-  wide_->ask(number, 0, attempt, now, now, request);
+  wide_->ask(number, 0, attempt, now, request);
   request.drawn_by = DrawnBy::wide_modes;
+}
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_reach_sampler(const SamplerSetting& setting) {
+  return std::make_unique<ReachSampler>(setting);
 }
 
 }  // namespace pliant

@@ -75,18 +75,14 @@ class Sampling {
         sampler_(find_sampler(options.sampler).make({framework, plan, start, nodes, options})),
         joint_of_node_(joints_nearest_to(nodes.positions)),
         sums_(start, joint_of_node_),
-        contacts_(framework.limits()),
-        now_(start.begin(), start.end()),
-        before_(now_) {
-    const std::size_t threads = sampler_->is_walk() ? 1 : static_cast<std::size_t>(options.threads);
-    for (std::size_t k = 0; k < threads; ++k)
+        contacts_(framework.limits()) {
+    for (std::int64_t k = 0; k < options.threads; ++k)
       makers_.push_back(std::make_unique<FrameMaker>(framework, plan, *sampler_));
   }
 
   SampleSummary run(const SampleObserver& observer) {
     const std::int64_t last = options_.first_frame + options_.frames;
     std::int64_t next = options_.first_frame;
-    if (sampler_->is_walk()) next = walk_to(next);
     while (next < last && !summary_.stopped_by_caller) {
       const auto count = std::min(last - next, static_cast<std::int64_t>(batch_size()));
       made_.resize(static_cast<std::size_t>(count));
@@ -115,17 +111,6 @@ class Sampling {
     };
     return static_cast<std::size_t>(std::min_element(start_.begin(), start_.end(), nearer) -
                                     start_.begin());
-  }
-
-  /// A walk begins at its start whatever frames are asked for.
-  std::int64_t walk_to(std::int64_t first) {
-    made_.resize(1);
-    for (std::int64_t frame = 0; frame < first; ++frame) {
-      make_batch(frame);
-      summary_.stopped_by_caller = options_.should_stop && options_.should_stop();
-      if (summary_.stopped_by_caller) break;
-    }
-    return first;
   }
 
   std::size_t batch_size() const {
@@ -167,12 +152,9 @@ class Sampling {
     const std::int64_t number = first + static_cast<std::int64_t>(k);
     if (maker.has_lanes()) {
       const auto all = std::span(made_);
-      return maker.make_many(number, now_, all.subspan(k, std::min(share, all.size() - k)));
+      return maker.make_many(number, start_, all.subspan(k, std::min(share, all.size() - k)));
     }
-    maker.make(number, now_, before_, made_[k]);
-    if (!sampler_->is_walk() || !made_[k].is_made) return;
-    before_ = made_[k].before;
-    now_ = made_[k].positions;
+    maker.make(number, start_, made_[k]);
   }
 
   void show(std::int64_t number, const MadeFrame& made, const SampleObserver& observer) {
@@ -248,7 +230,6 @@ class Sampling {
   std::vector<std::size_t> joint_of_node_;
   FluctuationSums sums_;
   LimitCounter contacts_;
-  std::vector<Vec3> now_, before_;  ///< of a walk; else both the start
   SampleSummary summary_;
 };
 

@@ -16,6 +16,14 @@ namespace {
 constexpr std::string_view group = "Sampling";
 constexpr std::int64_t most_frames = 100'000'000;
 
+// Texts of rows that samplers say.
+const std::string frames_text = usual_frames_text();
+const std::string frames_in_python = "How many, from 1. Default: " + usual_frames_text("``") + ".";
+const std::string sampler_text = "way to move; auto: " + usual_sampler_text();
+const std::string sampler_in_python =
+    "A name in ``samplers()``, or ``auto``: " + usual_sampler_text("``") +
+    ",\nwhich have no amplitude.";
+
 template <auto... Members>
 constexpr auto at = place_at<SampleOptions, Members...>;
 
@@ -24,9 +32,9 @@ const SampleField table[] = {
       .group = group,
       .summary = "frames to write",
       .range = Range::positive,
-      .in_python = "How many, from 1. Default: 400 of sampler ``reach``, 200 of others.",
+      .in_python = frames_in_python,
       .most = most_frames,
-      .unset_means = "400 of sampler reach, 200 of others"},
+      .unset_means = frames_text},
      at<&SampleOptions::frames>},
     {{.name = "first_frame",
       .group = group,
@@ -67,14 +75,10 @@ const SampleField table[] = {
      at<&SampleOptions::network>},
     {{.name = "sampler",
       .group = group,
-      .summary = "way to move; auto: reach for proteins and nucleic acids (modes for up to 100\n"
-                 "residues, and up to 100 frames), torsions for small molecules",
+      .summary = sampler_text,
       .choices = [] { return names_of(samplers()); },
       .kind = "sampler",
-      .in_python =
-          "A name in ``samplers()``, or ``auto``: ``reach`` of proteins and nucleic acids\n"
-          "(``modes`` of up to 100 residues, and of up to 100 frames), ``torsions`` of small\n"
-          "molecules, which have no amplitude.",
+      .in_python = sampler_in_python,
       .automatic = automatic_sampler},
      at<&SampleOptions::sampler>},
     {{.name = "near_frames",
@@ -136,13 +140,13 @@ void check(const SampleOptions& options) {
 }
 
 std::int64_t near_frames_of(const SampleOptions& options) {
-  constexpr std::int64_t block = 100;
   if (options.near_frames > 0) return options.near_frames;
   if (options.first_frame > 0)
     throw OptionError(
-        "sampler reach: frames that begin at " + std::to_string(options.first_frame) +
+        "sampler " + options.sampler + ": frames that begin at " +
+        std::to_string(options.first_frame) +
         " are a piece of an ensemble; give each piece the same number of near frames");
-  return std::max(options.frames / (2 * block) * block, block);
+  return std::max(options.frames / (2 * near_block) * near_block, near_block);
 }
 
 SampleOptions unset_sample_options() {

@@ -12,15 +12,17 @@
 
 namespace pliant {
 
-/// A number of frames that the task chooses: 400 of sampler `reach`, 200 of others.
+/// A number of frames that the task chooses: SamplerEntry::frames.
 inline constexpr std::int64_t open_frames = std::numeric_limits<std::int64_t>::min();
-inline constexpr std::int64_t usual_near_frames = 200;
+/// Near frames are asked for in blocks of so many.
+inline constexpr std::int64_t near_block = 100;
+inline constexpr std::int64_t usual_frames = 200;
 inline constexpr double usual_amplitude = 1.4;  // Angstrom
 inline constexpr double largest_amplitude = 10.0;
 
 /// What to sample: rows of sample_fields(). Checked once, when sample() begins.
 struct SampleOptions {
-  std::int64_t frames = 200;           ///< from 1
+  std::int64_t frames = usual_frames;  ///< from 1
   std::int64_t first_frame = 0;        ///< frames [first_frame, first_frame + frames) of the run
   double amplitude = usual_amplitude;  ///< mean r.m.s. fluctuation of nodes (Angstrom), 0.01 to 10
   std::uint64_t seed = 0;
@@ -28,7 +30,7 @@ struct SampleOptions {
   std::string network = "shared";  ///< a name in networks()
   std::string sampler = "modes";   ///< a name in samplers()
   /// For `reach`: frames below this number are those of `modes`. 0: half of the frames, in whole
-  /// blocks of 100 (see near_frames_of()).
+  /// blocks (see near_frames_of()).
   std::int64_t near_frames = 0;
   /// Selection of atoms, for `pocket`: frames open or close the place around them; "": everywhere.
   std::string around;
@@ -43,8 +45,8 @@ struct SampleOptions {
 };
 
 /// How many frames of `reach` are those of `modes` if `near_frames` is 0: half of them in whole
-/// blocks of 100, but at least 100. Throws OptionError if the frames do not begin at 0: pieces of
-/// one ensemble must have the same.
+/// blocks of `near_block`, but at least one. Throws OptionError if the frames do not begin at 0:
+/// pieces of one ensemble must have the same.
 std::int64_t near_frames_of(const SampleOptions& options);
 
 /// Throws OptionError naming the option, its value and its range.

@@ -27,21 +27,19 @@ struct FrameRequest {
   DrawnBy drawn_by = DrawnBy::other;
 };
 
-/// Makes requests for frames. Several threads may call it at once.
+/// Makes requests for frames, each independent of all others. Several threads may call it at once.
 class Sampler {
  public:
   virtual ~Sampler() = default;
-  /// Whether a frame begins at the one before, not at the start.
-  virtual bool is_walk() const { return false; }
   /// Whether the amplitude says how far frames go.
   virtual bool has_amplitude() const { return true; }
   /// Number of steps from the beginning of a frame to its end, each requested and resolved.
   virtual int steps_a_frame() const { return 1; }
   /// Fills `request` for step `step` of a frame. `attempt` is the number of failed attempts at it.
-  /// `now` (N) is where the step begins, `before` where the step before it began. Depends only on
-  /// the arguments and the seed.
+  /// `now` (N) is where the step begins: the first at the start. Depends only on the arguments and
+  /// the seed.
   virtual void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
-                   std::span<const Vec3> before, FrameRequest& request) const = 0;
+                   FrameRequest& request) const = 0;
 };
 
 /// What samplers are made from; all must outlive them.

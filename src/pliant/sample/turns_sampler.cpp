@@ -6,12 +6,19 @@
 #include "pliant/base/random.hpp"
 #include "pliant/sample/network/network_modes.hpp"
 #include "pliant/sample/sample_options.hpp"
+#include "pliant/sample/samplers.hpp"
 #include "pliant/sample/turns/course_measures.hpp"
 
 namespace pliant {
 
 TurnsSampler::TurnsSampler(const SamplerSetting& setting)
-    : TurnsSampler(setting, network_modes(setting.nodes, setting.options.network)) {}
+    : TurnsSampler(setting, network_modes(setting.nodes, setting.options.network)) {
+  if (!empty()) return;
+  setting.options.log.warn(
+      "sampler turns: the molecule has no two parts that could turn against each other; its "
+      "frames are those of sampler modes");
+  modes_ = std::make_unique<ModesSampler>(setting);
+}
 
 TurnsSampler::TurnsSampler(const SamplerSetting& setting, const NetworkModes& modes)
     : framework_(setting.framework),
@@ -19,18 +26,11 @@ TurnsSampler::TurnsSampler(const SamplerSetting& setting, const NetworkModes& mo
       nodes_(setting.nodes),
       draws_(setting.nodes, modes),
       of_joint_(nodes_of_joints(setting.nodes, setting.start)),
-      seed_(setting.options.seed) {
-  if (draws_.empty() && setting.options.sampler == "turns") {
-    setting.options.log.warn(
-        "sampler turns: the molecule has no two parts that could turn against each other; its "
-        "frames are those of sampler modes");
-    modes_ = std::make_unique<ModesSampler>(setting, modes);
-  }
-}
+      seed_(setting.options.seed) {}
 
 void TurnsSampler::ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
-                       std::span<const Vec3> before, FrameRequest& request) const {
-  if (modes_) return modes_->ask(frame, step, attempt, now, before, request);
+                       FrameRequest& request) const {
+  if (modes_) return modes_->ask(frame, step, attempt, now, request);
   ask_with({}, frame, attempt, request);
 }
 
@@ -48,6 +48,10 @@ void TurnsSampler::ask_with(std::vector<Vec3> displacements, std::int64_t frame,
   request.course = course_of(nodes_, of_joint_, drawn, request.targets, std::move(displacements));
   request.course.at(1.0, request.targets);
   request.limits_off = torn_limits(framework_, request.targets);  // of pieces that move apart
+}
+
+std::unique_ptr<Sampler> make_turns_sampler(const SamplerSetting& setting) {
+  return std::make_unique<TurnsSampler>(setting);
 }
 
 }  // namespace pliant

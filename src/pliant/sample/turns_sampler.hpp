@@ -12,11 +12,12 @@
 
 namespace pliant {
 
-/// If a molecule has no domains, its frames are those of `modes`, with a warning. Frames are
-/// independent; each depends on the seed and its number alone.
+/// Each frame depends on the seed and its number alone.
 class TurnsSampler final : public Sampler {
  public:
+  /// If a molecule has no domains, its frames are those of `modes`, with a warning.
   explicit TurnsSampler(const SamplerSetting& setting);
+  /// For ask_with(), unless it is empty().
   TurnsSampler(const SamplerSetting& setting, const NetworkModes& modes);
 
   bool has_amplitude() const override { return modes_ != nullptr; }
@@ -25,7 +26,7 @@ class TurnsSampler final : public Sampler {
   bool empty() const { return draws_.empty(); }
 
   void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
-           std::span<const Vec3> before, FrameRequest& request) const override;
+           FrameRequest& request) const override;
 
   /// The same with displacements (N, Angstrom; may be empty), which turn with the domains.
   void ask_with(std::vector<Vec3> displacements, std::int64_t frame, int attempt,

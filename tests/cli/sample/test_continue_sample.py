@@ -25,7 +25,6 @@ COMMON = ["--amplitude", "0.4", "--topology", "none", "--quiet"]
         ["--compress"],
         ["--first-frame", 95],  # a block of a hundred ends within
         ["--sampler", "dilute", "--seed", 18446744073709551615],
-        ["--sampler", "walk"],
         ["--network", "gnm"],
         ["--free-torsions"],
     ],
@@ -72,8 +71,8 @@ def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
         (["--seed", 5], "--seed: is 0 in the run of o.h5md, not 5; a run goes on as it began"),
         (["--amplitude", 1], "--amplitude: is 0.4 in the run of o.h5md, not 1; "
                              "a run goes on as it began"),
-        (["--sampler", "walk"], "--sampler: is modes in the run of o.h5md, not walk; "
-                                "a run goes on as it began"),
+        (["--sampler", "turns"], "--sampler: is modes in the run of o.h5md, not turns; "
+                                 "a run goes on as it began"),
         (["--first-frame", 7], "--first-frame: is 0 in the run of o.h5md, not 7; "
                                "a run goes on as it began"),
         (["--model", "angles"], "--model: is protein in the run of o.h5md, not angles; "

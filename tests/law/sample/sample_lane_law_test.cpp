@@ -33,7 +33,7 @@ struct Asked {
   Asked(const Sampler& sampler, std::span<const Vec3> start) {
     for (std::size_t k = 0; k < requests.size(); ++k) {
       FrameRequest& at = requests[k];
-      sampler.ask(static_cast<std::int64_t>(k), 0, 0, start, start, at);
+      sampler.ask(static_cast<std::int64_t>(k), 0, 0, start, at);
       out[k].resize(start.size());
       jobs.push_back({{at.from.empty() ? start : std::span<const Vec3>(at.from), at.targets,
                        at.limits_off, at.course.at ? &at.course : nullptr},

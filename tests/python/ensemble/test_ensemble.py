@@ -111,7 +111,6 @@ def test_another_content_of_the_input_is_refused(ensemble, tmp_path):
         (("--walkers", 4, "--threads", 2), "--threads: is not passed on to pliant run"),
         (("--walkers", 4, "--shard", "0..3"), "--shard: is not passed on to pliant run"),
         (("--walkers", 4, "--dry-run"), "--dry-run: is not passed on to pliant run: try"),
-        (("--frames", 4, "--sampler", "walk"), "--sampler walk: each frame needs the one before"),
         (("--walkers", 4, "more.pdb"), 'unexpected argument "more.pdb"'),
         (("--walkers", 4, "--frames", 4), "expected --walkers N"),
         ((), "expected --walkers N"),

@@ -105,7 +105,7 @@ MISTAKES = {
         lambda: pliant.sample(ASPIRIN, sampler="mode"),
         pliant.OptionError,
         'no sampler named "mode" (did you mean "modes"?); known: modes, dilute, turns, reach, '
-        "pocket, walk, torsions",
+        "pocket, torsions",
     ),
     "a keyword misspelt": (
         lambda: pliant.sample(ASPIRIN, frame=5),

@@ -62,16 +62,16 @@ Recorded record(const std::filesystem::path& path, const SampleTask& task, std::
 SampleOptions options_of(const SamplerEntry& sampler) {
   SampleOptions options;
   options.frames = 5;
-  options.first_frame = sampler.name == "walk" ? 0 : 97;
+  options.first_frame = 97;
   options.amplitude = 0.4;
   options.sampler = std::string(sampler.name);
-  if (sampler.name == "reach") options.near_frames = 99;
+  if (!sampler.near_sampler.empty()) options.near_frames = 99;
   return options;
 }
 
 /// A selection is refused by samplers that have no place to open.
 bool goes_with(const SampleField& field, const SamplerEntry& sampler) {
-  return field.name != "around" || sampler.name == "pocket";
+  return field.name != "around" || sampler.has_place;
 }
 
 class SampleRows : public testing::TestWithParam<std::size_t> {};

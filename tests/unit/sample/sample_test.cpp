@@ -29,7 +29,7 @@ std::vector<std::vector<Vec3>> frames_of(const Peptide& p, const SampleOptions& 
 /// A ring of rings: bars are whole although loops were cut.
 TEST(Sample, EveryBarIsWholeAndAtomsMove) {
   const Peptide p = peptide();
-  for (const char* sampler : {"modes", "walk", "dilute"}) {
+  for (const char* sampler : {"modes", "dilute"}) {
     SampleOptions options;
     options.frames = 10;
     options.amplitude = 0.5;
@@ -59,32 +59,6 @@ TEST(Sample, FramesAreTheSameInPiecesAndOnThreads) {
   for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(test::same_bits(whole[k + 7], piece[k])) << k;
   options.seed = 10;
   EXPECT_FALSE(test::same_bits(frames_of(p, options)[0], piece[0]));
-}
-
-/// A walk goes on as it went, and neither flies away nor speeds up.
-TEST(Sample, AWalkStaysWhereItIs) {
-  const Peptide p = peptide("peptide_20.pdb");
-  SampleOptions options;
-  options.frames = 60;
-  options.sampler = "walk";
-  Vec3 middle;
-  for (Vec3 x : p.start) middle += (1.0 / double(p.start.size())) * x;
-  std::vector<Vec3> last = p.start;
-  const auto look = [&](const Frame& frame) {
-    Vec3 now;
-    double squares = 0.0;
-    for (std::size_t k = 0; k < last.size(); ++k) {
-      now += (1.0 / double(last.size())) * frame.positions[k];
-      squares += norm_squared(frame.positions[k] - last[k]) / double(last.size());
-    }
-    EXPECT_LT(distance(now, middle), 1e-6) << frame.step;
-    EXPECT_LT(std::sqrt(squares), 4.0) << frame.step;
-    last.assign(frame.positions.begin(), frame.positions.end());
-    return false;
-  };
-  const SampleSummary summary = sample(p.framework, p.start, p.nodes, options, look);
-  EXPECT_EQ(summary.frames, 60);
-  EXPECT_LT(summary.max_residual, 1e-10);
 }
 
 TEST(Sample, StopsWhereTheObserverAsks) {

@@ -26,13 +26,15 @@ TEST(Samplers, EachHasANameOfItsOwnAndSaysWhatItDoes) {
 }
 
 TEST(Samplers, TheUsualOneFollowsFromTheMolecule) {
-  const auto usual = [](const char* file, bool has_residues) {
+  const auto usual = [](const char* file, std::size_t residues, bool has_place = false) {
     const MolecularModel model = test::model_of(file);
-    return usual_sampler(model.framework, model.positions, has_residues);
+    return usual_sampler(model.framework, model.positions, residues, has_place);
   };
-  EXPECT_EQ(usual("butane.sdf", false), "torsions");
-  EXPECT_EQ(usual("butane.sdf", true), "modes");
-  EXPECT_EQ(usual("crown_18_6.cif", false), "torsions");
+  EXPECT_EQ(usual("butane.sdf", 0), "torsions");
+  EXPECT_EQ(usual("butane.sdf", 100), "modes");
+  EXPECT_EQ(usual("butane.sdf", 101), "reach");
+  EXPECT_EQ(usual("butane.sdf", 0, true), "pocket");
+  EXPECT_EQ(usual("crown_18_6.cif", 0), "torsions");
 }
 
 TEST(Samplers, SeveralMoleculesMoveAgainstEachOtherByModes) {
@@ -52,7 +54,7 @@ TEST(Samplers, SeveralMoleculesMoveAgainstEachOtherByModes) {
   parts.torsion_preferences = nullptr;
   parts.atoms = nullptr;
   parts.drawn = start;
-  EXPECT_EQ(usual_sampler(Framework(std::move(parts)), start, false), "modes");
+  EXPECT_EQ(usual_sampler(Framework(std::move(parts)), start, 0), "modes");
 }
 
 }  // namespace samplers_test

@@ -14,7 +14,7 @@ const LACKS = 'pliant play FILE finds domains and shapes, too, which the page al
 const INDEPENDENT = 'Frames are independent: the order is for the eye and tells nothing of time. Each is a frame of the file, none is made up between two.';
 
 const stemOf = (name) => name.replace(/\.(h5md|h5)$/i, '');
-const isEnsemble = ({sampler, isPath}) => Boolean(sampler) && sampler !== 'walk' && !isPath;
+const isEnsemble = ({sampler, isPath}) => Boolean(sampler) && !isPath;
 
 export class Ensemble {
   constructor({session, stage, look, transport, view}) {

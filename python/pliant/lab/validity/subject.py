@@ -85,7 +85,8 @@ class Subject:
     def _sample(
         self, frames: int, sampler: str, amplitude: float = AMPLITUDE, seed: int = 0
     ) -> pliant.SampledEnsemble:
-        near = max(frames // 2, 1) if sampler == "reach" else 0
+        has_near = any(row.name == sampler and row.near_sampler for row in pliant.samplers())
+        near = max(frames // 2, 1) if has_near else 0
         options: dict[str, Any] = {"sampler": sampler, "amplitude": amplitude, "seed": seed}
         return pliant.sample(self.model, frames, near_frames=near, **options)
 
