@@ -42,7 +42,7 @@ class CallablePackage(ModuleType):
         return value
 
     def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self._late})
+        return sorted(self.__all__)
 
     @property
     def _function(self) -> Callable[..., Any]:

@@ -63,11 +63,11 @@ def tree(project: Project) -> Result:
 
 def version(project: Project) -> Result:
     """All files name one version and one day."""
-    said = f"{project.version()} in {len(versions.VERSIONS)} files, "
-    return _of(
-        versions.differences(project),
-        said + versions.stated(project, versions.DATES)["CHANGELOG.md"],
-    )
+    day = versions.stated(project, versions.DATES)["CHANGELOG.md"]
+    found = versions.differences(project)
+    if not versions.is_released(project):
+        found.append(f"CHANGELOG.md: {day}: ./dev release --prepare VERSION DATE writes the day")
+    return _of(found, f"{project.version()} in {len(versions.VERSIONS)} files, {day}")
 
 
 def changes(project: Project) -> Result:

@@ -3,7 +3,7 @@
 
 A list is a text file of lines in python/release/interface/VERSION. What a list of the last release
 has must be there still, or be served by what came in its place: within a major version nothing
-goes. In a new one may go what DEPRECATED names, if an earlier minor version deprecated it.
+goes. Until a version is released its lists may be written anew.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from __future__ import annotations
 import re
 from pathlib import Path
 from types import ModuleType
-from typing import NamedTuple
 
 import listed_commands
 import listed_cpp
@@ -20,21 +19,12 @@ import listed_python
 from project import Project
 
 LISTS = Path("python") / "release" / "interface"
-DEPRECATED = LISTS / "deprecated.txt"
 PARTS: dict[str, ModuleType] = {
     "python": listed_python,
     "cpp": listed_cpp,
     "commands": listed_commands,
     "files": listed_files,
 }
-
-
-class Deprecation(NamedTuple):
-    """A line of DEPRECATED: part, since which version, and the line of the list that may go."""
-
-    part: str
-    since: str
-    line: str
 
 
 def numbers(version: str) -> tuple[int, ...]:
@@ -51,14 +41,6 @@ def versions(project: Project) -> list[str]:
 def listed(project: Project, version: str, part: str) -> list[str]:
     """The list of a release."""
     return project.text(str(LISTS / version / f"{part}.txt")).splitlines()
-
-
-def deprecations(project: Project) -> list[Deprecation]:
-    """What DEPRECATED names; a line is `PART SINCE LINE`."""
-    rows = project.text(str(DEPRECATED)).splitlines()
-    return [
-        Deprecation(*row.split(" ", maxsplit=2)) for row in rows if row and not row.startswith("#")
-    ]
 
 
 def broken(old: list[str], new: list[str], part: str) -> list[str]:
@@ -79,21 +61,12 @@ def problems(project: Project, part: str, new: list[str]) -> list[str]:
     known = versions(project)
     if not known:
         return [f"{LISTS}: no list; ./dev release --prepare VERSION DATE writes one"]
-    last, present = known[-1], project.version()
-    may_go: set[str] = set()
-    if numbers(present)[0] > numbers(last)[0]:
-        may_go = {
-            one.line
-            for one in deprecations(project)
-            if one.part == part and _was_said_earlier(one.since, last)
-        }
-    gone = broken(listed(project, last, part), new, part)
-    return [f"{part}: {line}: was in {last}" for line in gone if line not in may_go]
-
-
-def _was_said_earlier(since: str, last: str) -> bool:
-    """Whether the last version is a later minor version than the one that deprecated."""
-    return numbers(since)[:2] < numbers(last)[:2]
+    last = known[-1]
+    if numbers(project.version())[0] > numbers(last)[0]:
+        return []
+    return [
+        f"{part}: {line}: was in {last}" for line in broken(listed(project, last, part), new, part)
+    ]
 
 
 def write(project: Project, version: str) -> None:

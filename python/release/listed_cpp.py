@@ -13,6 +13,12 @@ sys.path.insert(0, str(ROOT / "docs" / "tools"))
 import headers
 
 PRIVATE = re.compile(r"\bnamespace detail\b")
+#: copied, moved, compared, destroyed, counted by the compiler: the affair of a type itself
+OF_ITSELF = re.compile(
+    r"^~|^friend |^static_assert|^using [\w:]+::\w+$|\(\) = default$|"
+    r"\b(\w+)\((\1|const \1)? ?&{1,2}\)|^\w+& operator=\("
+)
+CALL = re.compile(r"\w\(|operator")
 TYPE = re.compile(r"(?:template ?<.*?> ?)?(?:class|struct|enum class|enum) (?:\[\[\w+\]\] )?(\w+)")
 
 
@@ -30,14 +36,23 @@ def lines(project: Project) -> list[str]:
 
 
 def _lines_of(declared: list[str]) -> list[str]:
-    """A declaration as one line; a type as its name and one line for each member."""
+    """A declaration as one line; a type as one with its data, and one line for each function."""
     code = [re.sub(r"\s*///?.*", "", line) for line in declared]
     text = " ".join(" ".join(code).split())
     match = TYPE.match(text)
     if not match or "{" not in text:
         return [text.rstrip("; ") + ";"] if text else []
     head, _, body = text.partition("{")
-    return [f"{head.strip()};", *(f"{match[1]}::{one}" for one in _members(body, head))]
+    members = [one for one in _members(body, head) if not OF_ITSELF.search(one)]
+    calls = [one for one in members if CALL.search(_without_arguments(one).partition("=")[0])]
+    data = "; ".join(one for one in members if one not in calls)
+    return [f"{head.strip()} {{{data}}};", *(f"{match[1]}::{one}" for one in calls)]
+
+
+def _without_arguments(text: str) -> str:
+    """A declaration without the arguments of its templates."""
+    shorter = re.sub(r"<[^<>]*>", "", text)
+    return text if shorter == text else _without_arguments(shorter)
 
 
 def _members(body: str, head: str) -> list[str]:
@@ -75,12 +90,24 @@ def serves(new: str, old: str) -> bool:
     """Whether what compiled with the old declaration compiles with the new one."""
     if new == old:
         return True
+    if old.endswith("};") and new.partition(" {")[0] == old.partition(" {")[0]:
+        return _has_all_in_order(_data(new), _data(old), is_enum=old.startswith("enum"))
     end = re.search(r"\)( const)?( noexcept)?;?$", old)
     if not end or not new.endswith(end[0]):
         return False
     head, more = old[: end.start()], new.removesuffix(end[0])
     added = more.removeprefix(head)
     return more.startswith(head) and added.startswith(", ") and _all_have_defaults(added[2:])
+
+
+def _data(line: str) -> list[str]:
+    """The members of a type that are no functions."""
+    return line.partition(" {")[2].removesuffix("};").split("; ")
+
+
+def _has_all_in_order(new: list[str], old: list[str], is_enum: bool) -> bool:
+    """Whether more members came alone: anywhere in a struct, at the end of an enumeration."""
+    return new[: len(old)] == old if is_enum else [one for one in new if one in old] == old
 
 
 def _all_have_defaults(parameters: str) -> bool:

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""What is in files as lines: datasets of H5MD files, keys of JSON, columns of tables, force files.
+"""What is in files as lines: datasets of H5MD files, keys of JSON, words of force files.
 
-They are read from files that the installed command makes of a small molecule.
+They are read from files that the installed command makes of a small molecule. What is below
+`parameters` of an H5MD file, which --continue reads, is not listed: a later version reads it.
 """
 
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -18,33 +20,34 @@ from project import Project
 
 PEPTIDE = "data/molecules/peptide_20.pdb"
 MOLECULE = "data/molecules/caffeine.sdf"
+GROUPS = ("connectivity/", "observables/", "particles/")
 
-#: a name, and the command whose output is read; {out} is a file that it writes
+#: commands whose file {out}, or whose JSON, is read
 MADE = {
-    "sample.h5md": ("sample", PEPTIDE, "--frames", "2", "-o", "{out}"),
-    "run.h5md": ("run", PEPTIDE, "--steps", "4", "--every", "2", "-o", "{out}"),
-    "run.forces": ("run", MOLECULE, "--steps", "4", "--record-forces", "{out}", "-o", "{more}"),
-}
-SAID = {
-    "sample --json": ("sample", PEPTIDE, "--frames", "2", "-o", "{out}", "--json"),
-    "run --json": ("run", PEPTIDE, "--steps", "4", "-o", "{out}", "--json"),
-    "info --json": ("info", PEPTIDE, "--json"),
-    "rigidity --json": ("rigidity", PEPTIDE, "--json"),
-    "contacts --json": ("contacts", PEPTIDE, "--json"),
+    ("sample", PEPTIDE, "--frames", "2", "-o", "{out}.h5md"): "{out}.h5md",
+    ("run", PEPTIDE, "--steps", "4", "-o", "{out}.h5md"): "{out}.h5md",
+    ("run", MOLECULE, "--steps", "4", "-o", "{out}.h5md", "--record-forces", "{out}"): "{out}",
+    ("sample", PEPTIDE, "--frames", "2", "-o", "{out}.h5md", "--json"): "",
+    ("run", PEPTIDE, "--steps", "4", "-o", "{out}.h5md", "--json"): "",
+    **{(name, PEPTIDE, "--json"): "" for name in ("info", "rigidity", "contacts")},
 }
 
 
 def lines(project: Project) -> list[str]:
     """One line for each dataset with its type and rank, and for each key."""
-    found: list[str] = []
+    found: set[str] = set()
     with tempfile.TemporaryDirectory() as name:
-        for number, (what, words) in enumerate({**MADE, **SAID}.items()):
-            out = Path(name) / f"{number}{Path(what).suffix}"
-            out = out if what in MADE else out.with_suffix(".h5md")
-            more = Path(name) / f"{number}-more.h5md"
-            said = _pliant(project, [word.format(out=out, more=more) for word in words])
-            found += [f"{what}: {line}" for line in _read(what, out, said)]
-    return sorted(set(found))
+        for number, (words, made) in enumerate(MADE.items()):
+            out = f"{name}/{number}"
+            said = _pliant(project, [word.format(out=out) for word in words])
+            if not made:
+                found |= {f"{words[0]} --json: {key}" for key in _keys(json.loads(said), "")}
+            elif made.endswith(".h5md"):
+                found |= {f"h5md: {line}" for line in _datasets(made.format(out=out))}
+            else:
+                text = Path(made.format(out=out)).read_text(encoding="utf-8")
+                found |= {f"forces: {word}" for word in re.findall(r"^[a-z][\w-]*", text, re.M)}
+    return sorted(found)
 
 
 def _pliant(project: Project, words: list[str]) -> str:
@@ -55,44 +58,34 @@ def _pliant(project: Project, words: list[str]) -> str:
     return done.stdout
 
 
-def _read(what: str, out: Path, said: str) -> Iterator[str]:
-    if what in SAID:
-        return _keys(json.loads(said), "")
-    return _datasets(out) if out.suffix == ".h5md" else _heads(out)
-
-
-def _datasets(path: Path) -> Iterator[str]:
+def _datasets(path: str) -> list[str]:
     import h5py
 
     found: list[str] = []
 
     def visit(name: str, thing: Any) -> None:
-        if isinstance(thing, h5py.Dataset):
+        if isinstance(thing, h5py.Dataset) and name.startswith(GROUPS):
             # how long a text is depends on the molecule
             kind = "text" if thing.dtype.kind in "SO" else str(thing.dtype)
-            found.append(f"{name} {kind} of rank {thing.ndim}")
-        found.extend(f"{name} @{attribute}" for attribute in thing.attrs)
+            unit = thing.attrs.get("unit", b"")
+            unit = unit.decode() if isinstance(unit, bytes) else unit
+            found.append(f"{name} {kind} of rank {thing.ndim}{unit and f' in {unit}'}")
 
     with h5py.File(path) as file:
         file.visititems(visit)
-    return iter(found)
+    return found
 
 
 def _keys(value: Any, before: str) -> Iterator[str]:
-    if isinstance(value, dict):
+    """Those of an object, and below; not of counts, whose keys depend on the molecule."""
+    if isinstance(value, list) and value:
+        yield from _keys(value[0], before)
+    elif isinstance(value, dict) and not (
+        before and all(type(one) is int for one in value.values())
+    ):
         for key, one in value.items():
             yield f"{before}{key}"
             yield from _keys(one, f"{before}{key}.")
-    elif isinstance(value, list) and value:
-        yield from _keys(value[0], before)
-
-
-def _heads(path: Path) -> Iterator[str]:
-    """The first words of the lines of a text file, each once."""
-    for line in path.read_text(encoding="utf-8").splitlines():
-        first = line.split(" ")[0] if line.strip() else ""
-        if first and not first.lstrip("-").replace(".", "").isdigit():
-            yield first
 
 
 def serves(new: str, old: str) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Python interface as lines: names without an underscore, with their parameters.
+"""The Python interface as lines: what is promised, with parameters.
 
 They are read from the committed reference, which a test compares with the package. Types are not
 part of the promise, for they only get wider: parameters, their order and their defaults are.
@@ -13,35 +13,27 @@ import re
 from project import Project
 
 REFERENCE = "tests/python/pliant.pyi.ref"
-PACKAGES = "python/pliant/[a-z]*/__init__.py"  # their __all__ is what they promise
 NAMES = re.compile(r"^Names: (.*)$", re.MULTILINE)
 VALUE = re.compile(r"(\w+)(: .*| = .*)?$")
+#: what printing and pickling call
+NOT_CALLED = re.compile(r"__(repr|str|getstate|setstate)__")
 
 
 def lines(project: Project) -> list[str]:
     """One line for each name, function, method, property and enumerator."""
     text = project.text(REFERENCE)
-    names = NAMES.search(text)
-    public = names[1].split() if names else []
-    found, owner = [f"{name}" for name in public], ""
+    found, owner, bases = set(NAMES.findall(text)[0].split()), "", []
     for line in text.splitlines():
         if line.startswith("class "):
-            owner = line[6:].partition("(")[0]
-        elif line.startswith("    ") and owner in public:
-            found.append(f"{owner}.{_member(line.strip())}")
-        elif line.startswith("def ") and line[4:].partition("(")[0] in public:
-            found.append(_call(line))
-    return sorted({line for line in found if "__repr__" not in line} | _below_the_top(project))
-
-
-def _below_the_top(project: Project) -> set[str]:
-    """Such as pliant.analysis.Rmsf: what a package within the package has in its __all__."""
-    found: set[str] = set()
-    for path in sorted(project.root.glob(PACKAGES)):
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
-            if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
-                found |= {f"pliant.{path.parent.name}.{n}" for n in ast.literal_eval(node.value)}
-    return found
+            owner, _, names = line[6:].rstrip(")").partition("(")
+            bases = names.split(", ")
+        elif line.startswith("    ") and not NOT_CALLED.search(line):
+            member = _member(line.strip())
+            if not any(f"{base}.{member}" in found for base in bases):  # as it is promised there
+                found.add(f"{owner}.{member}")
+        elif line.startswith("def "):
+            found = (found | {_call(line)}) - {line[4:].partition("(")[0]}
+    return sorted(found)
 
 
 def _member(line: str) -> str:

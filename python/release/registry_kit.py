@@ -42,7 +42,7 @@ run_tests:
   - pytest --pyargs pliant
 test_dependencies:
   - pip install pytest
-development_status: Production/Stable
+development_status: {status}
 changelog: {address}/blob/HEAD/CHANGELOG.md
 """
 
@@ -67,5 +67,6 @@ def metadata(project: Project, address: str, maintainers: list[str]) -> str:
         license=one(r'^license = "(.+)"'),
         address=address,
         python=one(r'^requires-python = "(.+)"'),
+        status=one(r'"Development Status :: \d - (.+)"'),
         mdanalysis=one(r'"MDAnalysis(>=[\d.]+)", "scipy'),
     )

@@ -20,6 +20,7 @@ DATES = {
     "CITATION.cff": r"^(date-released: )(\S+)()$",
 }
 DATE = re.compile(r"\d{4}-\d\d-\d\d")
+UNRELEASED = "not released"  #: in place of the day, until --prepare writes it
 
 
 def stated(project: Project, places: dict[str, str]) -> dict[str, str]:
@@ -33,15 +34,21 @@ def differences(project: Project) -> list[str]:
     problems = []
     for what, places in (("version", VERSIONS), ("date", DATES)):
         (first, expected), *others = stated(project, places).items()
+        expected = "" if expected == UNRELEASED else expected
         problems += [
             f"{name}: {what} {value or 'is missing'}, but {first} has {expected or 'none'}"
             for name, value in others
-            if value != expected or not value
+            if value != expected
         ]
     day = stated(project, DATES)["CHANGELOG.md"]
-    if not DATE.fullmatch(day):
+    if not DATE.fullmatch(day) and day != UNRELEASED:
         problems.append(f"CHANGELOG.md: {day!r} is no date such as 2026-11-26")
     return problems
+
+
+def is_released(project: Project) -> bool:
+    """Whether the changelog has a day for the newest version."""
+    return stated(project, DATES)["CHANGELOG.md"] != UNRELEASED
 
 
 def write(project: Project, version: str, day: str) -> None:
@@ -54,6 +61,10 @@ def write(project: Project, version: str, day: str) -> None:
         new = f"## {version} ({day})\n\n### Added\n\n### Changed\n\n### Fixed\n\n"
         changes = re.sub(r"^(?=## )", new, changes, count=1, flags=re.MULTILINE)
         (project.root / "CHANGELOG.md").write_text(changes, encoding="utf-8")
+    cited = project.text("CITATION.cff")
+    if "date-released:" not in cited:
+        cited = re.sub(r"^(version: .*\n)", r"\1date-released: -\n", cited, flags=re.MULTILINE)
+        (project.root / "CITATION.cff").write_text(cited, encoding="utf-8")
     for places, value in ((VERSIONS, version), (DATES, day)):
         for name, pattern in places.items():
             _write_one(project.root / name, pattern, value)

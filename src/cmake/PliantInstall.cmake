@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Installs the libraries, the headers that pliant.hpp names, the licence, and what finds them:
+# Installs the libraries, pliant.hpp with all that it includes, the licence, and what finds them:
 # find_package(pliant) and pkg-config.
 include(CMakePackageConfigHelpers)
 
@@ -26,15 +26,19 @@ install(TARGETS pliant pliant_core pliant_files pliant_record
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT pliantTargets NAMESPACE pliant:: DESTINATION ${package_folder} COMPONENT library)
 
-# The table of contents is what users may include; whatever else lies beside a source is ours.
-set(contents ${PROJECT_SOURCE_DIR}/src/pliant/pliant.hpp)
-set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${contents})
-file(STRINGS ${contents} lines REGEX "^#include \"pliant/")
+# The table of contents is what users may include; they get what that includes, and nothing else.
 set(public_headers pliant/pliant.hpp)
-foreach(line IN LISTS lines)
-  string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" header "${line}")
-  list(APPEND public_headers ${header})
-endforeach()
+set(unread ${public_headers})
+while(unread)
+  list(POP_FRONT unread header)
+  set(path ${PROJECT_SOURCE_DIR}/src/${header})
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
+  file(STRINGS ${path} needed REGEX "^#include \"pliant/")
+  list(TRANSFORM needed REPLACE "^#include \"([^\"]+)\".*" "\\1")
+  list(REMOVE_ITEM needed ${public_headers})
+  list(APPEND public_headers ${needed})
+  list(APPEND unread ${needed})
+endwhile()
 foreach(header IN LISTS public_headers)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header}

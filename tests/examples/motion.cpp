@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion with two pushers and a hand at the mouse; an ensemble in two halves. 0 if all is well.
+// A motion with two pushers and a hand at the mouse; eight walkers in two halves. 0 if all is well.
 #include <thread>
 
 #include "pliant/pliant.hpp"
@@ -15,16 +15,19 @@ int main() {
   const std::jthread mouse([&] { hand->pull({&pull, 1}); });
   for (int step = 0; step < 100; ++step)
     if (motion.step().stop != pliant::Stop::converged) return 1;
-  std::vector<std::vector<pliant::Vec3>> ends(8);
-  int same = 0;
-  const auto keep_end = [&](std::uint64_t walker) {
-    pliant::Watchers watchers;
-    watchers.on_end = [&, walker](const auto&, const pliant::State& state) {
-      same += std::exchange(ends[walker], state.positions) == state.positions;
-    };
-    return watchers;
+  const auto walk = [&](std::vector<pliant::State>& ends, std::size_t first, std::size_t end) {
+    for (std::size_t walker = first; walker < end; ++walker) {
+      pliant::RunOptions options{.steps = 50};
+      options.resolve.walker = walker;
+      pliant::run(framework, ends[walker], options, {});
+    }
   };
-  for (const pliant::Shard shard : {pliant::Shard{0, 8}, {0, 4}, {4, 8}})
-    pliant::run_ensemble(framework, start, {{.steps = 50}, shard, 2}, keep_end);
-  return same == 8 ? 0 : 1;
+  std::vector<pliant::State> whole(8, start), halves = whole;
+  walk(whole, 0, 8);
+  std::jthread first_half([&] { walk(halves, 0, 4); });
+  walk(halves, 4, 8);
+  first_half.join();
+  for (std::size_t walker = 0; walker < 8; ++walker)
+    if (whole[walker].positions != halves[walker].positions) return 1;
+  return 0;
 }

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: MIT
-# The headers below INCLUDED are those that CONTENTS (pliant.hpp) names, itself among them.
+# Of the headers below INCLUDED each is included by another, but pliant.hpp, and has all it includes.
 file(GLOB_RECURSE installed RELATIVE ${INCLUDED} ${INCLUDED}/*)
-file(STRINGS ${CONTENTS} named REGEX "^#include \"pliant/")
-list(TRANSFORM named REPLACE "^#include \"([^\"]+)\".*" "\\1")
-list(APPEND named pliant/pliant.hpp)
+set(needed pliant/pliant.hpp)
+foreach(header IN LISTS installed)
+  file(STRINGS ${INCLUDED}/${header} lines REGEX "^#include \"pliant/")
+  list(TRANSFORM lines REPLACE "^#include \"([^\"]+)\".*" "\\1")
+  list(APPEND needed ${lines})
+endforeach()
 
 set(surplus ${installed})
-list(REMOVE_ITEM surplus ${named})
-list(REMOVE_ITEM named ${installed})
-if(surplus OR named)
-  message(FATAL_ERROR "installed, but not named: ${surplus}; named, but not installed: ${named}")
+list(REMOVE_ITEM surplus ${needed})
+list(REMOVE_ITEM needed ${installed})
+if(surplus OR needed)
+  message(FATAL_ERROR "installed, but not included: ${surplus}; included, but not installed: ${needed}")
 endif()

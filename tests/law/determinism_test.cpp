@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/lab/examples/examples.hpp"
+#include "pliant/perturb/perturbation.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/run/run.hpp"

@@ -88,7 +88,7 @@ def test_reports(peptide, tmp_path):
     pliant.sample(peptide, frames=12, output=trajectory)
     report = pliant.analyse(trajectory)
     check(report, {"file": str(trajectory), "what it is": "An ensemble."})
-    chosen = pliant.analyse.representatives(trajectory, 2)
+    chosen = pliant.representatives(trajectory, 2)
     check(chosen, {"frames": ", ".join(map(str, chosen.frames))})
     path = pliant.path(peptide, peptide)
     check(path, {"distance from the end": "0.00 Å at first, 0.00 Å reached"})

@@ -41,7 +41,8 @@ REFUSALS = (TypeError, ValueError, IndexError, OverflowError, pliant.Error, Impo
 
 
 def calls():
-    for name in pliant.__all__:
+    compiled = {name for name in vars(pliant._core) if not name.startswith("_")}
+    for name in sorted({*pliant.__all__, *compiled}):
         call = getattr(pliant, name)
         if callable(call) and not (inspect.isclass(call) and issubclass(call, BaseException)):
             yield name, call

@@ -8,8 +8,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from pliant._refusals import kinds_of
-from pliant.analyse import representatives
-from pliant.compare import compare_paths
+from pliant.analyse.choose_representatives import representatives
+from pliant.compare.paths import compare_paths
 from pliant.recover import recover
 
 import pliant

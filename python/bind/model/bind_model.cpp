@@ -11,6 +11,7 @@
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/model.hpp"
 #include "tables.hpp"

@@ -9,30 +9,8 @@ from typing import TYPE_CHECKING
 from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
-    from pliant.analyse.analysis import Analysis, AnalysisOptions
-    from pliant.analyse.choose_representatives import Representatives, representatives
-    from pliant.analyse.stages import analyse_trajectory
     from pliant.analyse.suite import AnalysisReport, analyse
 
-__all__ = [
-    "Analysis",
-    "AnalysisOptions",
-    "AnalysisReport",
-    "Representatives",
-    "analyse",
-    "analyse_trajectory",
-    "representatives",
-]
+__all__ = ["AnalysisReport", "analyse"]
 
-make_callable(
-    __name__,
-    {
-        "AnalysisReport": "suite",
-        "Representatives": "choose_representatives",
-        "Analysis": "analysis",
-        "AnalysisOptions": "analysis",
-        "analyse": "suite",
-        "representatives": "choose_representatives",
-        "analyse_trajectory": "stages",
-    },
-)
+make_callable(__name__, {"AnalysisReport": "suite", "analyse": "suite"})

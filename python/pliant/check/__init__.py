@@ -7,9 +7,8 @@ from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
     from pliant.check.check_report import CheckReport
-    from pliant.check.findings import Finding
     from pliant.check.suite import check
 
-__all__ = ["CheckReport", "Finding", "check"]
+__all__ = ["CheckReport", "check"]
 
-make_callable(__name__, {"check": "suite", "CheckReport": "check_report", "Finding": "findings"})
+make_callable(__name__, {"check": "suite", "CheckReport": "check_report"})

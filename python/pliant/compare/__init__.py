@@ -7,17 +7,8 @@ from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
     from pliant.compare.comparison_report import ComparisonReport
-    from pliant.compare.paths import PathComparison, compare_paths
     from pliant.compare.suite import compare
 
-__all__ = ["ComparisonReport", "PathComparison", "compare", "compare_paths"]
+__all__ = ["ComparisonReport", "compare"]
 
-make_callable(
-    __name__,
-    {
-        "compare": "suite",
-        "ComparisonReport": "comparison_report",
-        "PathComparison": "paths",
-        "compare_paths": "paths",
-    },
-)
+make_callable(__name__, {"ComparisonReport": "comparison_report", "compare": "suite"})

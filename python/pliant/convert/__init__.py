@@ -6,11 +6,8 @@ from typing import TYPE_CHECKING
 from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
-    from pliant.convert.command import main
-    from pliant.convert.write import FORMATS, Converted, convert
+    from pliant.convert.write import convert
 
-__all__ = ["FORMATS", "Converted", "convert", "main"]
+__all__ = ["convert"]
 
-make_callable(
-    __name__, {"FORMATS": "write", "Converted": "write", "convert": "write", "main": "command"}
-)
+make_callable(__name__, {"convert": "write"})

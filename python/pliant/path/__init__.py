@@ -10,19 +10,9 @@ from typing import TYPE_CHECKING
 from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
-    from pliant.path.found import MolecularPath, PathFrame
-    from pliant.path.walk import PathEnds, PathOptions, PathWalk, path
+    from pliant.path.found import MolecularPath
+    from pliant.path.walk import path
 
-__all__ = ["MolecularPath", "PathEnds", "PathFrame", "PathOptions", "PathWalk", "path"]
+__all__ = ["MolecularPath", "path"]
 
-make_callable(
-    __name__,
-    {
-        "path": "walk",
-        "MolecularPath": "found",
-        "PathFrame": "found",
-        "PathEnds": "walk",
-        "PathOptions": "walk",
-        "PathWalk": "walk",
-    },
-)
+make_callable(__name__, {"path": "walk", "MolecularPath": "found"})

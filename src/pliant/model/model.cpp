@@ -10,6 +10,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
+#include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/atoms/residue_chemistry.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/steric_table.hpp"

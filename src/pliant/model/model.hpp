@@ -13,8 +13,6 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/model/contacts/contact_list.hpp"
 #include "pliant/model/contacts/contact_options.hpp"
-#include "pliant/model/contacts/hydrogen_bonds.hpp"
-#include "pliant/model/contacts/tethers.hpp"
 #include "pliant/model/prepare/prepare.hpp"
 #include "pliant/molecule/build_framework.hpp"
 

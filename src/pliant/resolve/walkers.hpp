@@ -7,16 +7,11 @@
 #include <span>
 #include <string_view>
 
+#include "pliant/resolve/method/lane_options.hpp"
 #include "pliant/resolve/method/walker_positions.hpp"
 #include "pliant/resolve/resolve.hpp"
 
 namespace pliant {
-
-/// How walkers are resolved; the choice changes no result.
-struct LaneOptions {
-  bool lanes = true;            ///< false: one walker after the other
-  std::string_view level = {};  ///< a name in lane_level_names(); the best one if empty
-};
 
 /// Instructions that this build and this processor have for lanes, the best ones first: "v4"
 /// (x86-64-v4, AVX-512), "v3" (AVX2), "v2" (SSE4.2), "portable".

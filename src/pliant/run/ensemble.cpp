@@ -10,6 +10,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/threads.hpp"
 #include "pliant/resolve/lanes/lane_kernels.hpp"
+#include "pliant/resolve/walkers.hpp"
 #include "pliant/run/together.hpp"
 
 namespace pliant {

@@ -7,6 +7,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/value_text.hpp"
 #include "pliant/resolve/techniques.hpp"
+#include "pliant/resolve/walkers.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pliant/run/showing.hpp"
 #include "pliant/run/together.hpp"

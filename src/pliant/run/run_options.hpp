@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/perturb/perturbation.hpp"
-#include "pliant/resolve/walkers.hpp"
+#include "pliant/resolve/method/lane_options.hpp"
 #include "pliant/run/motion.hpp"
 
 namespace pliant {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "pliant/resolve/walkers.hpp"
 #include "pliant/run/showing.hpp"
 #include "pliant/run/walk.hpp"
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Pushes a named framework a hundred times: all bars stay whole.
+// Pushes a square of bars a hundred times: all stay whole.
 #include <cstdio>
 
-#include "pliant/lab/examples/examples.hpp"
 #include "pliant/run/run.hpp"
 
 int main() {
-  const pliant::Sketch sketch = pliant::ring(6);
-  const pliant::Framework framework = pliant::framework_of(sketch);
-  pliant::State state(sketch.positions);
+  const pliant::Framework framework(
+      {.joint_count = 4, .bars = {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, .rest_lengths = {1, 1, 1, 1}});
+  pliant::State state({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   pliant::RunOptions options;
   options.steps = 100;
   const pliant::RunSummary summary = pliant::run(framework, state, options, {});

@@ -244,8 +244,9 @@ def test_positions_in_the_page_are_those_of_the_file(report, peptide):
 
 
 def test_large_trajectories_are_thinned_and_the_page_says_so(report):
-    from pliant.analyse import AnalysisOptions, analyse_trajectory
+    from pliant.analyse.analysis import AnalysisOptions
     from pliant.analyse.page.scene import scene
+    from pliant.analyse.stages import analyse_trajectory
 
     analysis = analyse_trajectory(AnalysisOptions(str(report.parent.parent / "run.h5md")))
     small = scene(analysis, max_atoms=10, max_bytes=1000)

@@ -7,7 +7,7 @@ import MDAnalysis
 import numpy as np
 import pytest
 from MDAnalysis.analysis import rms
-from pliant.analyse import representatives
+from pliant.analyse.choose_representatives import representatives
 from pliant.analyse.representatives_command import main
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd
 

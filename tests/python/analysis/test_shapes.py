@@ -8,8 +8,9 @@ import h5py
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.analyse import analyse, representatives
+from pliant.analyse import analyse
 from pliant.analyse.analysis import AnalysisOptions
+from pliant.analyse.choose_representatives import representatives
 from pliant.analyse.command import main
 from pliant.analyse.opened import opened
 from pliant.analyse.reference import reference_of

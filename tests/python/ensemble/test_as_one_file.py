@@ -7,7 +7,7 @@ import MDAnalysis
 import numpy as np
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
-from pliant.analyse import representatives
+from pliant.analyse.choose_representatives import representatives
 from pliant.check.recording import read_recording
 from pliant.convert import convert
 

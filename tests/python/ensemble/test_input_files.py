@@ -8,7 +8,7 @@ import shutil
 import pytest
 from ensembles import PEPTIDE, call
 from pliant._input_files import expect_file, json_object, open_file
-from pliant.compare import compare_paths
+from pliant.compare.paths import compare_paths
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.plan import load_plan
 from pliant.ensemble.queue_jobs import _settings

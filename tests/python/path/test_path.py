@@ -13,8 +13,7 @@ import pliant
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
 from pliant.path.command import main
-
-from pliant.path import PathEnds, PathOptions, PathWalk
+from pliant.path.walk import PathEnds, PathOptions, PathWalk
 
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 OPEN, CLOSED = DATA / "adk_open.pdb", DATA / "adk_closed.pdb"

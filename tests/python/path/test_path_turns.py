@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pliant.path.command import main
+from pliant.path.walk import PathEnds, PathOptions, PathWalk
 
 import pliant
 
@@ -59,9 +60,9 @@ def test_a_turn_of_150_degrees_is_reached(helices, back):
 @pytest.mark.long
 def test_a_walk_shows_one_way_at_a_time(helices):
     """Until the way with turns has come nearer, the straight one is the best there is."""
-    options = pliant.path.PathOptions()
-    ends = pliant.path.PathEnds(*map(pliant.read, map(str, helices)), options)
-    walk = pliant.path.PathWalk(ends, options)
+    options = PathOptions()
+    ends = PathEnds(*map(pliant.read, map(str, helices)), options)
+    walk = PathWalk(ends, options)
     left = [walk.left]
     while walk.advance():
         left.append(walk.left)

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pliant.path.walk import PathEnds, PathOptions, PathWalk
 from wasm_solver import Solver, sha1
 
 import pliant
-from pliant.path import PathEnds, PathOptions, PathWalk
 
 PEPTIDE = Path(__file__).resolve().parents[3] / "data" / "molecules" / "peptide_20.pdb"
 

@@ -9,7 +9,8 @@ import gemmi
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.convert import convert, main
+from pliant.convert import convert
+from pliant.convert.command import main
 
 import pliant
 
@@ -22,7 +23,7 @@ class Hidden:
         if name.partition(".")[0] == "MDAnalysis":
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 sys.meta_path.insert(0, Hidden())
-from pliant.convert import main
+from pliant.convert.command import main
 sys.exit(main(sys.argv[1:]))
 """
 

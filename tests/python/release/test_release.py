@@ -33,8 +33,10 @@ def put(project, name, old, new):
     path.write_text(text.replace(old, new))
 
 
-# One works on these files, so that the tree is not clean, and names are added that no list has yet.
-OF_EVERY_CHANGE = [c for c in checks.QUICK if c.look not in (checks.tree, checks.promises)]
+# One works on these files, so that the tree is not clean, names are added that no list has yet, and
+# the next version may have no day.
+LATER = (checks.tree, checks.promises, checks.version)
+OF_EVERY_CHANGE = [c for c in checks.QUICK if c.look not in LATER]
 
 
 @is_clone
@@ -42,6 +44,20 @@ OF_EVERY_CHANGE = [c for c in checks.QUICK if c.look not in (checks.tree, checks
 def test_these_files_pass(check):
     result = check.look(THESE)
     assert result.passed, result
+
+
+def test_these_files_have_one_version():
+    assert versions.differences(THESE) == []
+
+
+def test_what_is_not_released_has_no_day_and_does_not_pass(small):
+    put(small, "CHANGELOG.md", "(2027-01-02)", "(not released)")
+    put(small, "CITATION.cff", "date-released: 2027-01-02\n", "")
+    assert versions.differences(small) == []
+    assert "--prepare" in checks.version(small).details[0]
+    versions.write(small, "1.2.3", "2027-03-04")
+    assert "date-released: 2027-03-04" in small.text("CITATION.cff")
+    assert checks.version(small).passed
 
 
 def test_a_small_project_passes(small):
@@ -55,7 +71,8 @@ def test_a_small_project_passes(small):
         ("CITATION.cff", "1.2.3", "1.2.4", "CITATION.cff: version 1.2.4"),
         ("CHANGELOG.md", "## 1.2.3", "## 1.2.2", "CHANGELOG.md: version 1.2.2"),
         ("CITATION.cff", "2027-01-02", "2027-01-03", "CITATION.cff: date 2027-01-03"),
-        ("CHANGELOG.md", "(2027-01-02)", "(not released)", "is no date"),
+        ("CHANGELOG.md", "(2027-01-02)", "(soon)", "is no date"),
+        ("CHANGELOG.md", "(2027-01-02)", "(not released)", "CHANGELOG.md has none"),
         ("CITATION.cff", "date-released", "date", "date is missing"),
     ],
 )

@@ -9,6 +9,8 @@
 #include "pliant/base/error.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/model/contacts/hydrogen_bond_energy.hpp"
+#include "pliant/model/contacts/hydrogen_bonds.hpp"
+#include "pliant/model/contacts/tethers.hpp"
 #include "pliant/model/steric_table.hpp"
 #include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"

@@ -4,6 +4,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/lab/examples/examples.hpp"
+#include "pliant/perturb/perturbation.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pliant/framework/measures/moved_pairs.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/framework/measures/residual.hpp"
 
 namespace pliant {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/framework/measures/residual.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,10 @@
 #include <span>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/measures/neighbour_list.hpp"
 
 namespace pliant {
+
+class NeighbourList;
 
 /// Signed length error |b - a| - rest of a bar (Angstrom): positive when it is too long.
 inline double residual(Vec3 a, Vec3 b, double rest) { return distance(a, b) - rest; }

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "pliant/base/log.hpp"
-#include "pliant/model/atoms/atom_graph.hpp"
-#include "pliant/model/prepare/protonation.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {
