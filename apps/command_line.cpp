@@ -211,18 +211,6 @@ void CommandLine::add_real(const std::string& name, double& value, Range range,
   add_parsed(parser_->app, name, "X", shown, help, parse);
 }
 
-void CommandLine::add_former_real(const std::string& name, const std::string& is_now,
-                                  double factor) {
-  const auto refuse_value = [name, is_now, factor](const std::string& text) {
-    const auto number = parse_real(text);
-    const std::string option = is_now.substr(0, is_now.find(','));
-    const std::string example =
-        number ? fmt::format(": {} {}", option, number_text(*number * factor, 6)) : "";
-    throw CLI::ValidationError(fmt::format("{} is now {}{}", name, is_now, example));
-  };
-  parser_->app.add_option_function<std::string>(name, refuse_value)->group("");
-}
-
 void CommandLine::add_names(const std::string& name, std::vector<std::string>& values,
                             const std::string& fallback, const std::string& help) {
   parser_->app.add_option(name, values, help)

@@ -65,10 +65,6 @@ class CommandLine {
   void add_real(const std::string& name, double& value, Range range, const std::string& help,
                 const char* fallback = nullptr);
 
-  /// Adds the former name of an option with a real number. Using it is an error that names `is_now`
-  /// (today's name, a comma and the unit) and gives the value times `factor`. The help omits it.
-  void add_former_real(const std::string& name, const std::string& is_now, double factor);
-
   /// Adds names separated by commas; the help shows `fallback` for what holds without any.
   void add_names(const std::string& name, std::vector<std::string>& values,
                  const std::string& fallback, const std::string& help);

@@ -116,10 +116,10 @@ SampledSystem system_of(const PlannedSample& planned) {
 
 constexpr const char* sample_purpose =
     "Makes an ensemble: independent frames around the structure in the file, each with exact\n"
-    "bonds and angles and no overlaps. Contacts are held. If more than 100 frames are made of\n"
-    "a protein of more than 100 residues, domains turn in about half of them, and contacts\n"
-    "between these domains are released. How far the frames go (--amplitude) is an\n"
-    "input, not a prediction, and how often a shape occurs is not known.\n"
+    "bonds and angles and no overlaps. Contacts are held. In about half of the frames of a\n"
+    "larger protein (see --sampler) domains turn, and contacts between them are released.\n"
+    "How far the frames go (--amplitude) is an input, not a prediction, and how often a shape\n"
+    "occurs is not known.\n"
     "For a small molecule the frames are conformers, with new torsions and flipped rings.";
 
 constexpr const char* sample_examples =

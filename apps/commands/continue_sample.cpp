@@ -41,7 +41,6 @@ H5mdCheckpoint read_sample(const CommandLine& line, const SampleSettings& settin
   std::optional<std::int64_t> frames;
   if (line.was_given("--frames")) frames = settings.sample.frames;
   H5mdCheckpoint from = read_checkpoint(path_of(settings.go_on), frames, log);
-  from.parameters = renewed(std::move(from.parameters));
   if (!from.is_sample())
     throw InputError(path_text(from.path) +
                      ": holds steps of pliant run: pliant run --continue goes on with them");

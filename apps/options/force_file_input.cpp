@@ -82,7 +82,7 @@ class SettingsTaking {
     std::ranges::replace(name, '-', '_');
     const std::string given = run_field_text(settings_.run, find_run_field(name));
     const std::string made = run_field_text(taken, field);
-    if (file_.header.version == 1 || (name == field.name && given == made)) return;
+    if (name == field.name && given == made) return;
     overrides_forces(settings_, option + " " + given,
                      "with " + option_name(field.name) + " " + made);
   }

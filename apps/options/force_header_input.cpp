@@ -115,7 +115,7 @@ void warn_of_unknown_model(const RunSettings& settings, const Molecule& molecule
   const ForceHeader& header = *settings.force_header;
   const bool is_said = !settings.molecule.kind.name.empty() || !settings.molecule.bars.empty();
   const bool is_known = header.joints.has_value() || !header.input.empty();
-  if (header.version == 1 || is_said || is_known || molecule.structure.format == "graph") return;
+  if (is_said || is_known || molecule.structure.format == "graph") return;
   log.warn(printable_name(settings.forces) +
            ": does not say for which structure, model and hydrogens it was made: " +
            std::to_string(molecule.framework.joint_count()) +

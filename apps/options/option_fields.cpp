@@ -45,10 +45,6 @@ std::string option_name(std::string_view field) {
 
 void add_option(CommandLine& line, const OptionFacts& facts, OptionPlace place) {
   std::visit(AddField{line, facts}, place);
-  if (!facts.former.name.empty())
-    line.add_former_real(option_name(facts.former.name),
-                         option_name(facts.name) + ", in " + std::string(facts.unit),
-                         1.0 / facts.former.divisor);
 }
 
 }  // namespace pliant::app

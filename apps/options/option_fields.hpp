@@ -13,7 +13,7 @@ namespace pliant::app {
 /// "--max-sweeps" for "max_sweeps".
 std::string option_name(std::string_view field);
 
-/// Adds an option and its former name. Its present value is the default that the help shows.
+/// Adds an option. Its present value is the default that the help shows.
 void add_option(CommandLine& line, const OptionFacts& facts, OptionPlace place);
 
 }  // namespace pliant::app

@@ -43,10 +43,12 @@ void add_continue(CommandLine& line, SampleSettings& settings) {
 void add_amplitude(CommandLine& line, SampleSettings& settings) {
   line.add_text("--amplitude", settings.amplitude, "X, NAME or FILE",
                 "how far frames go: r.m.s. fluctuation, averaged over residues. An input:\n"
-                "X: in Angstrom (default 1.4, which is that of ubiquitin by NMR, 2K39)\n"
-                "bfactors: from the B factors in the file, sqrt(3 B / 8 pi^2)\n"
-                "FILE: from your own ensemble: models (PDB, mmCIF) or frames (H5MD) of the\n"
-                "same residues, with the same numbers");
+                "X: in Angstrom (default " +
+                    number_text(usual_amplitude) +
+                    ", which is that of ubiquitin by NMR, 2K39)\n"
+                    "bfactors: from the B factors in the file, sqrt(3 B / 8 pi^2)\n"
+                    "FILE: from your own ensemble: models (PDB, mmCIF) or frames (H5MD) of the\n"
+                    "same residues, with the same numbers");
 }
 
 void add_sample_group(CommandLine& line, SampleSettings& settings) {

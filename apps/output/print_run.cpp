@@ -93,18 +93,15 @@ Json run_json(const RunSettings& settings, const Framework& framework,
 Json forces_json(const RunSettings& settings) {
   std::vector<std::pair<std::string, Json>> taken;
   for (const auto& [name, value] : settings.taken_from_forces) taken.emplace_back(name, value);
-  return {{"forces", Json{{"file", settings.forces},
-                          {"version", settings.force_header->version},
-                          {"taken", Json::object(taken)}}}};
+  return {{"forces", Json{{"file", settings.forces}, {"taken", Json::object(taken)}}}};
 }
 
-/// "a.forces (version 3): model protein, timestep 0.01".
+/// "a.forces: model protein, timestep 0.01".
 std::string forces_text(const RunSettings& settings) {
   std::string text;
   for (const auto& [name, value] : settings.taken_from_forces)
     text += fmt::format("{} {} {}", text.empty() ? ":" : ",", name, printable_name(value));
-  return fmt::format("{} (version {}){}", printable_name(settings.forces),
-                     settings.force_header->version, text);
+  return printable_name(settings.forces) + text;
 }
 
 Json served_json(const ImdSummary& served) {

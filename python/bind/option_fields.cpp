@@ -67,18 +67,6 @@ std::string argument_doc(const OptionFacts& facts, OptionPlace place) {
   return std::string(facts.name) + " : " + python_type(place) + "\n    " + text + "\n";
 }
 
-void refuse_former(const OptionFacts& facts, nb::dict given) {
-  const nb::str name(facts.former.name.data(), facts.former.name.size());
-  if (facts.former.name.empty() || !given.contains(name)) return;
-  const nb::object value = given[name];
-  nb::del(given[name]);
-  if (value.is_none()) return;
-  const double now = argument_as<double>(facts.former.name, value, "float") / facts.former.divisor;
-  const std::string option(facts.name), unit(facts.unit);
-  throw OptionError(std::string(facts.former.name) + " is now " + option + ", in " + unit + ": " +
-                    option + "=" + number_text(now, 6));
-}
-
 nb::dict row_of(const OptionFacts& facts, OptionPlace place) {
   nb::dict row;
   row["name"] = facts.name;

@@ -31,9 +31,6 @@ std::string argument_text(const OptionFacts& facts, OptionPlace place);
 /// Its lines under "Parameters" in a docstring.
 std::string argument_doc(const OptionFacts& facts, OptionPlace place);
 
-/// Raises OptionError if `given` has a name of an earlier version.
-void refuse_former(const OptionFacts& facts, nb::dict given);
-
 /// Raises TypeError where an argument is left that the function has not. `positional` are those
 /// before the named ones; of a method the first is None.
 void refuse_unknown(nb::handle function, nb::tuple positional, nb::dict left);
@@ -84,11 +81,10 @@ std::string argument_docs(const Fields& fields, Options usual) {
 }
 
 /// Takes from `given` the options of the table that scripts may set, and leaves the others. Raises
-/// as refuse_former() and take_value() do.
+/// as take_value() does.
 template <class Fields, class Options>
 void take_values(const Fields& fields, nb::dict given, Options& options) {
   for (const auto& field : fields) {
-    refuse_former(field, given);
     const nb::str name(field.name.data(), field.name.size());
     if (!field.users.python || !given.contains(name)) continue;
     const bool is_open = !field.unset_means.empty() && given[name].is_none();

@@ -151,7 +151,7 @@ def test_an_ordering_that_leaves_bars_out_is_refused(pliant, triangle):
 
 def test_a_run_with_an_ordering_file_is_that_of_its_technique(pliant, triangle, tmp_path):
     """One push on the root from which the file was made, so that both see the same ordering."""
-    (tmp_path / "f.txt").write_text("pliant-forces 1\npush c 40 0 30\n")
+    (tmp_path / "f.txt").write_text("pliant-forces 3\npush c 40 0 30\n")
     settings = ("--timestep", 0.01, "--tolerance-length", 1e-6, "--max-sweeps", 1000)
     assert pliant("order", triangle, "--root", "c", "-o", "o.txt").code == 0
     run = ("run", triangle, "--forces", "f.txt", "--weighting", 0.75, *settings)
@@ -261,13 +261,13 @@ def test_options_of_structgen_are_checked(pliant, tmp_path, arguments, message):
     ("lines", "options", "missing"),
     [
         ("", (), "--timestep, --tolerance, --max-sweeps"),
-        ("timestep 0.01\n", ("--max-sweeps", 10), "--tolerance"),
-        ("tolerance_length 0.1\nmax_sweeps 9\n", (), "--timestep"),
-        ("timestep 0.01\nmax_sweeps 9\n", ("--tolerance-length", 0.1), None),
+        ("set timestep 0.01\n", ("--max-sweeps", 10), "--tolerance"),
+        ("set tolerance_length 0.1\nset max_sweeps 9\n", (), "--timestep"),
+        ("set timestep 0.01\nset max_sweeps 9\n", ("--tolerance-length", 0.1), None),
     ],
 )
 def test_settings_that_no_one_gives_are_named(pliant, triangle, tmp_path, lines, options, missing):
-    (tmp_path / "f.txt").write_text(f"pliant-forces 1\n{lines}push c 4 0 3\n")
+    (tmp_path / "f.txt").write_text(f"pliant-forces 3\n{lines}push c 4 0 3\n")
     ended = pliant("run", triangle, "--forces", "f.txt", *options)
     if missing is None:
         assert (ended.code, ended.err) == (0, "")

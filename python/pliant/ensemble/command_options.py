@@ -16,9 +16,9 @@ depend only on the input, the options, the seed and the numbers of these walkers
 where or in how many attempts it was made. Finished shards are kept: after a crash, a lost worker or
 Ctrl-C, the same command goes on from there.
 
-The frames are, bit for bit, those of one pliant sample with the same --frames. For a protein of
-more than 100 residues, half of them, in hundreds, stay near the start (modes); in the others
-domains turn. With --sampler modes, turns, ... all frames are made by that sampler.
+The frames are, bit for bit, those of one pliant sample with the same --frames. Of a larger
+protein half of them, in hundreds, stay near the start (modes); in the others domains turn: see
+pliant sample --help-all. With --sampler modes, turns, ... all frames are made by that sampler.
 
 It also takes the options of pliant run, or with --frames those of pliant sample."""
 

@@ -28,8 +28,6 @@ _REFUSED = {
 #: Options whose value may be a file: shards read it by its absolute path, and its bytes count.
 _FILES = ("--bars", "--contacts", "--ordering", "--forces", "--amplitude")
 
-KJ_PER_KCAL = 4.184
-
 _AN_OPTION = re.compile(r"--[a-z]|-[A-Za-z]")
 
 #: The words after each option, once for each time that it was given.
@@ -71,24 +69,6 @@ def file_options(options: Options) -> Iterable[tuple[str, list[str], int]]:
 def words_of(options: Options) -> list[str]:
     """The options as a command line has them."""
     return [word for name, times in options.items() for words in times for word in (name, *words)]
-
-
-def renewed(options: Options) -> Options:
-    """Options of a plan as today's commands take them.
-
-    Version 0.3.0 took ``--temperature`` in kJ/mol for ``--contact-energy`` in kcal/mol.
-    """
-    return dict(_renewed(name, times) for name, times in options.items())
-
-
-def _renewed(name: str, times: list[list[str]]) -> tuple[str, list[list[str]]]:
-    if name != "--temperature":
-        return name, times
-    return "--contact-energy", [[_kcal(word) for word in words] for words in times]
-
-
-def _kcal(word: str) -> str:
-    return repr(float(word) / KJ_PER_KCAL).removesuffix(".0")
 
 
 def text_of(name: str, options: Options) -> str:

@@ -14,7 +14,7 @@ from pathlib import Path
 from pliant import _core
 from pliant._core import FileError, InputError, OptionError
 from pliant._input_files import json_object, open_file
-from pliant.ensemble.options import Options, file_options, renewed, text_of, words_of
+from pliant.ensemble.options import Options, file_options, text_of, words_of
 
 PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by this name
 SHARDS = "shards"  #: folder of the shards
@@ -157,7 +157,6 @@ def load_plan(folder: str | os.PathLike[str]) -> EnsemblePlan:
         if found.pop("pliant_ensemble") != _FORMAT:
             raise ValueError("another version of the format")
         plan = EnsemblePlan(**found)
-        plan.options = renewed(plan.options)
         _check_numbers(plan)
         return plan
     except OSError as error:

@@ -5,24 +5,6 @@
 #include <numeric>
 
 namespace pliant {
-namespace {
-
-/// A name that was removed. Old files, scripts and commands still say it.
-struct RemovedChoice {
-  std::string_view name;
-  std::string_view version;  ///< the first without it
-  std::string_view instead;
-};
-
-constexpr RemovedChoice removed_choices[] = {
-    {"bfs_local", "0.3.0", "blocks"},
-    {"rings_first", "0.3.0", "blocks, or anderson if there are limits"},
-    {"rings_anderson", "0.3.0", "blocks, or anderson if there are limits"},
-    {"torsions_preferred", "0.3.0", "torsions"},
-    {"torsions_uniform", "0.3.0", "torsions"},
-};
-
-}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -54,9 +36,6 @@ std::string nearest_name(std::string_view word, const std::vector<std::string_vi
 std::string unknown_choice(std::string_view kind, std::string_view word,
                            const std::vector<std::string_view>& names) {
   std::string text = "no " + std::string(kind) + " named " + quoted(word);
-  for (const auto& [name, version, instead] : removed_choices)
-    if (name == word)
-      return text.append(": removed in ").append(version).append("; use ").append(instead);
   const std::string near = nearest_name(word, names);
   if (!near.empty()) text += " (did you mean \"" + near + "\"?)";
   text += "; known:";

@@ -90,10 +90,13 @@ std::string option_text(OptionPlace place) {
 
 Parameter parameter_of(OptionPlace place) { return std::visit(Recorded{}, place); }
 
+bool has_parameter(const std::vector<NamedParameter>& parameters, const std::string& path) {
+  return std::ranges::find(parameters, path, &NamedParameter::first) != parameters.end();
+}
+
 const Parameter& find_parameter(const std::vector<NamedParameter>& parameters,
                                 const std::string& path) {
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const NamedParameter& one) { return one.first == path; });
+  const auto found = std::ranges::find(parameters, path, &NamedParameter::first);
   if (found == parameters.end()) throw InputError("does not say /parameters/" + path);
   return found->second;
 }

@@ -27,12 +27,6 @@ struct OptionUsers {
   bool file = true;  ///< a recorded file, which a run or a sample goes on from
 };
 
-/// What an earlier version called an option.
-struct FormerOption {
-  std::string_view name = {};  ///< "": no other name
-  double divisor = 1.0;        ///< a value in the former unit, divided by this, is one in today's
-};
-
 /// What an option is, wherever it is stored.
 struct OptionFacts {
   std::string_view name;          ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
@@ -53,7 +47,6 @@ struct OptionFacts {
   std::string_view unset_means = {};  ///< what the command does where it is not given, if that is
                                       ///< not the default of the library
   OptionUsers users = {};
-  FormerOption former = {};
 };
 
 /// A row of a table, for options of one kind.
@@ -120,15 +113,22 @@ std::vector<NamedParameter> option_parameters(std::string_view group, const Fiel
   return values;
 }
 
-/// Sets options from recorded parameters. Fields that files do not keep are left as they are.
-/// Throws as restore_option().
+/// Whether there is a parameter of that path.
+bool has_parameter(const std::vector<NamedParameter>& parameters, const std::string& path);
+
+/// Sets options from recorded parameters. Fields that files do not keep are left as they are, and
+/// so are those that this file lacks: it is older than the option, whose default is what was done
+/// before. Only the first of a table is in all files. Throws as restore_option().
 template <class Fields, class Options>
 void restore_options(std::string_view group, const Fields& fields,
                      const std::vector<NamedParameter>& parameters, Options& options) {
-  for (const auto& field : fields)
-    if (field.users.file)
-      restore_option(parameters, std::string(group) + "/" + std::string(field.name),
-                     field.place(options));
+  bool is_needed = true;
+  for (const auto& field : fields) {
+    const std::string path = std::string(group) + "/" + std::string(field.name);
+    if (field.users.file && (is_needed || has_parameter(parameters, path)))
+      restore_option(parameters, path, field.place(options));
+    is_needed = false;
+  }
 }
 
 /// Sets to "automatic" every option that the task can choose.

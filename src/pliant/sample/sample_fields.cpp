@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/sample/network/elastic_network.hpp"
+#include "pliant/sample/pocket/pocket.hpp"
 #include "pliant/sample/samplers.hpp"
 
 namespace pliant {
@@ -23,6 +24,17 @@ const std::string sampler_text = "way to move; auto: " + usual_sampler_text();
 const std::string sampler_in_python =
     "A name in ``samplers()``, or ``auto``: " + usual_sampler_text("``") +
     ",\nwhich have no amplitude.";
+
+const std::string near_text =
+    "(a ligand), those within " + number_text(place_distance) + " Angstrom";
+const std::string around_text =
+    "open or close the site around these atoms (--sampler pocket): the protein\n"
+    "residues selected, or, if none is " +
+    near_text;
+const std::string around_in_python =
+    "Selection of atoms: frames open or close the site around them (sampler ``pocket``): the\n"
+    "protein residues selected, or, if none is " +
+    near_text + ".";
 
 template <auto... Members>
 constexpr auto at = place_at<SampleOptions, Members...>;
@@ -94,12 +106,9 @@ const SampleField table[] = {
      at<&SampleOptions::near_frames>},
     {{.name = "around",
       .group = group,
-      .summary = "open or close the site around these atoms (--sampler pocket): the protein\n"
-                 "residues selected, or, if none is (a ligand), those within 6 Angstrom",
+      .summary = around_text,
       .kind = "SELECTION",
-      .in_python = "Selection of atoms: frames open or close the site around them (sampler "
-                   "``pocket``): the\n"
-                   "protein residues selected, or, if none is (a ligand), those within 6 Angstrom.",
+      .in_python = around_in_python,
       .users = {.page = false}},
      at<&SampleOptions::around>},
     {{.name = "contact_energy",
@@ -110,8 +119,7 @@ const SampleField table[] = {
       .unit = "kcal/mol",
       .in_python =
           "Of sampler ``dilute`` (kcal/mol): a contact of energy E is off with probability\n"
-          "exp(-abs(E) / contact_energy).",
-      .former = {"temperature", kj_per_kcal}},
+          "exp(-abs(E) / contact_energy)."},
      at<&SampleOptions::contact_energy>},
     {{.name = "turn_amides",
       .group = group,
@@ -130,8 +138,9 @@ std::span<const SampleField> sample_fields() { return table; }
 
 void check(const SampleOptions& options) {
   if (options.frames < 1)
-    throw OptionError("frames = " + std::to_string(options.frames) +
-                      ": must be a whole number from 1, such as frames=200");
+    throw OptionError(
+        "frames = " + std::to_string(options.frames) +
+        ": must be a whole number from 1, such as frames=" + std::to_string(usual_frames));
   if (options.first_frame < 0)
     throw OptionError("first_frame = " + std::to_string(options.first_frame) +
                       ": must be a whole number from 0");
@@ -160,30 +169,9 @@ std::vector<NamedParameter> parameters_of(const SampleOptions& options) {
   return option_parameters("sample", sample_fields(), options);
 }
 
-std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters) {
-  for (const SampleField& field : sample_fields()) {
-    if (field.former.name.empty()) continue;
-    const std::string former = "sample/" + std::string(field.former.name);
-    for (auto& [path, value] : parameters) {
-      if (path != former) continue;
-      path = "sample/" + std::string(field.name);
-      if (double* number = std::get_if<double>(&value)) *number /= field.former.divisor;
-    }
-  }
-  // Files of 0.3.0 know no sampler that asks for these.
-  const NamedParameter added[] = {{"sample/near_frames", std::int64_t{0}},
-                                  {"sample/around", std::string()},
-                                  {"sample/turn_amides", false}};
-  for (const NamedParameter& one : added)
-    if (std::none_of(parameters.begin(), parameters.end(),
-                     [&](const auto& row) { return row.first == one.first; }))
-      parameters.push_back(one);
-  return parameters;
-}
-
-SampleOptions sample_options_from(std::vector<NamedParameter> parameters) {
+SampleOptions sample_options_from(const std::vector<NamedParameter>& parameters) {
   SampleOptions options;
-  restore_options("sample", sample_fields(), renewed(std::move(parameters)), options);
+  restore_options("sample", sample_fields(), parameters, options);
   return options;
 }
 

@@ -25,12 +25,8 @@ SampleOptions unset_sample_options();
 /// Options by their paths below /parameters: "sample/seed".
 std::vector<NamedParameter> parameters_of(const SampleOptions& options);
 
-/// Converts recorded options to today's names and units: version 0.3.0 wrote contact_energy as
-/// sample/temperature, in kJ/mol.
-std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters);
-
-/// Reads options of any version that parameters_of() wrote; check() checks their ranges. Throws
-/// InputError naming a path that is missing or has an invalid value.
-SampleOptions sample_options_from(std::vector<NamedParameter> parameters);
+/// Reads options that parameters_of() wrote; check() checks their ranges. Throws InputError naming
+/// a path that is missing or has an invalid value.
+SampleOptions sample_options_from(const std::vector<NamedParameter>& parameters);
 
 }  // namespace pliant

@@ -9,7 +9,7 @@ import pytest
 
 import pliant as library
 
-EVENTS = """pliant-forces 2
+EVENTS = """pliant-forces 3
 set technique bfs_cycle
 set damping 0.25
 pin 2
@@ -104,7 +104,7 @@ def test_every_other_step_is_shown(pliant, session):
     ],
 )
 def test_the_loosest_tolerance_is_recorded(pliant, session, settings, relative, length):
-    (session / "s.txt").write_text("pliant-forces 2\n" + settings)
+    (session / "s.txt").write_text("pliant-forces 3\n" + settings)
     assert pliant("run", "m.mol", "--forces", "s.txt").code == 0
     with h5py.File(session / "m.h5md") as file:
         run = file["parameters/run"]
@@ -140,12 +140,12 @@ def test_nothing_goes_on_with_it(pliant, session):
 
 
 REFUSED = [
-    ("pliant-forces 2\n", "s.txt: holds no step"),
-    ("pliant-forces 2\nset technique bfs_cylce\nstep\n", "s.txt:2: no technique named"),
-    ("pliant-forces 2\nstep\nset weighting 2\n", "s.txt:3: weighting = 2: must be"),
-    ("pliant-forces 2\nset colour red\nstep\n", "s.txt:2: no option named"),
-    ("pliant-forces 2\nforce C9 1 2 3\nstep\n", "s.txt:2: "),
-    ("pliant-forces 4\n", 's.txt:1: expected "pliant-forces" and a version from 1 to 3'),
+    ("pliant-forces 3\npin 0\n", "s.txt: holds no step"),
+    ("pliant-forces 3\nset technique bfs_cylce\nstep\n", "s.txt:2: no technique named"),
+    ("pliant-forces 3\nstep\nset weighting 2\n", "s.txt:3: weighting = 2: must be"),
+    ("pliant-forces 3\nset colour red\nstep\n", "s.txt:2: no option named"),
+    ("pliant-forces 3\nforce C9 1 2 3\nstep\n", "s.txt:2: "),
+    ("pliant-forces 2\nstep\n", 's.txt:1: expected "pliant-forces 3", found "pliant-forces 2"'),
     ("pliant-forces 3\ninput model proteen\nstep\n", "s.txt:2: input: no model named"),
     ("pliant-forces 3\ninput colour red\nstep\n", "s.txt:2: input: no option named"),
 ]

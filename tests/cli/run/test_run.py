@@ -113,7 +113,7 @@ def test_times_that_are_not_finite_are_refused_before_the_start(pliant, ethanol,
 
 def test_forces_are_replayed(pliant, ethanol, tmp_path):
     (tmp_path / "pushes.txt").write_text(
-        "pliant-forces 1\ntimestep 0.005\ntolerance 1e-6\nmax_sweeps 10000\n"
+        "pliant-forces 3\nset timestep 0.005\nset tolerance 1e-6\nset max_sweeps 10000\n"
         "push 2 100 0 0\npush 0 0 50 0\n"
     )
     assert pliant("run", ethanol, "-o", "o.h5md", "--forces", "pushes.txt").code == 0
@@ -124,7 +124,8 @@ def test_forces_are_replayed(pliant, ethanol, tmp_path):
 
 def test_more_steps_than_pushes_is_refused(pliant, ethanol, tmp_path):
     (tmp_path / "pushes.txt").write_text(
-        "pliant-forces 1\ntimestep 0.01\ntolerance 1e-6\nmax_sweeps 10\npush 2 100 0 0\n"
+        "pliant-forces 3\nset timestep 0.01\nset tolerance 1e-6\nset max_sweeps 10\n"
+        "push 2 100 0 0\n"
     )
     ended = pliant("run", ethanol, "--forces", "pushes.txt", "--steps", 2)
     assert ended.code == 2

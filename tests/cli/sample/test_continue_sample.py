@@ -185,15 +185,6 @@ def test_many_interruptions_leave_no_trace(command, tmp_path, seed):
     check_interruptions(command, tmp_path, 25, seed)
 
 
-def test_a_temperature_is_refused_with_its_value_in_kcal(pliant):
-    ended = pliant("sample", PEPTIDE, "--sampler", "dilute", "--temperature", 2.5)
-    assert ended.code == 2
-    assert ended.err.splitlines()[0] == (
-        "pliant sample: error: --temperature is now --contact-energy, in kcal/mol: "
-        "--contact-energy 0.597514"
-    )
-
-
 def test_redraws_and_contacts_are_recorded(pliant, tmp_path):
     """Counts of contacts by NumPy, from positions and the limits of the file."""
     pliant("sample", PEPTIDE, "-o", "m.h5md", "--frames", 20, "--amplitude", 1, "--quiet")

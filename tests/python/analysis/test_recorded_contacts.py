@@ -71,12 +71,6 @@ def test_energies_are_those_of_the_model_in_kcal(diluted, tmp_path):
         np.testing.assert_allclose(sorted(set(stored[:])), sorted(4.184 * listed), rtol=1e-12)
 
 
-def test_a_temperature_is_refused_with_its_value_in_kcal():
-    with pytest.raises(pliant.OptionError) as raised:
-        pliant.sample(pliant.read(PEPTIDE), 2, sampler="dilute", temperature=12.552)
-    assert str(raised.value) == "temperature is now contact_energy, in kcal/mol: contact_energy=3"
-
-
 def test_they_are_saved_from_a_broken_file(diluted, tmp_path):
     recover(diluted, tmp_path / "saved.h5md")
     saved, before = read_record(tmp_path / "saved.h5md").contacts, read_record(diluted).contacts

@@ -145,7 +145,7 @@ def write_lines(folder, lines):
     (folder / "shards.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
 
 
-def test_the_manifest_of_version_0_3_0_is_read(copy):
+def test_a_manifest_without_sums_is_read(copy):
     """Its fields, in its order."""
     numbers = ["frames", "left_out", "unconverged", "bytes"]
     fields = ["shard", "first", "last", "file", *numbers, "sha256"]

@@ -7,7 +7,6 @@ import shutil
 import pytest
 from ensembles import PEPTIDE, call, made, same_bits, shards_of
 from pliant.ensemble import scratch
-from pliant.ensemble.plan import load_plan, make_plan, write_plan
 
 RUN = ("--steps", 40, "--every", 10)
 
@@ -35,20 +34,6 @@ def test_frames_of_a_sample_are_sharded_too(tmp_path, there):
     names = ("max_residual", "redraws", "max_overlap")
     assert same_bits(tmp_path / "s", tmp_path / "whole.h5md", names=names)
     assert call("ensemble", "--verify", tmp_path / "s").returncode == 0
-
-
-def test_a_plan_with_a_temperature_of_version_0_3_0_is_read(tmp_path):
-    plan = make_plan("sample", str(PEPTIDE), 4, None, {"--temperature": [["12.552"]]})
-    (tmp_path / "old").mkdir()
-    write_plan(tmp_path / "old", plan)
-    assert load_plan(tmp_path / "old").options == {"--contact-energy": [["3"]]}
-    words = ("--frames", 4, "--temperature", 12.552)
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "new", *words)
-    assert (ended.returncode, ended.stderr) == (
-        2,
-        "pliant ensemble: error: --temperature is now --contact-energy, in kcal/mol: "
-        "--contact-energy 3\n",
-    )
 
 
 def test_the_same_command_again_makes_nothing_and_needs_no_dask(ensemble, tmp_path):

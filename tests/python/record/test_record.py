@@ -307,7 +307,7 @@ def test_replays_a_force_file(tmp_path):
     framework = WATER.framework()
     path = tmp_path / "pushes.txt"
     path.write_text(
-        "pliant-forces 1\ntimestep 0.02\ntolerance 1e-7\nmax_sweeps 50\n"
+        "pliant-forces 3\nset timestep 0.02\nset tolerance 1e-7\nset max_sweeps 50\n"
         "push 1 30 -3 0.25\npush 2 0 40 0\n"
     )
     forces = pliant.read_force_file(path, framework)

@@ -56,11 +56,6 @@ TEST(Choose, NamesTheNearestAndAllKnown) {
             "no fruit named \"banana\\x0a\"; known: apple, plum, cherry");
 }
 
-TEST(Choose, SaysWhatReplacesANameThatWasRemoved) {
-  EXPECT_EQ(test::error_text<OptionError>([] { choose(fruits, "technique", "bfs_local"); }),
-            "no technique named \"bfs_local\": removed in 0.3.0; use blocks");
-}
-
 TEST(NamesOf, IsTheColumnOfNames) {
   EXPECT_EQ(names_of(fruits), (std::vector<std::string_view>{"apple", "plum", "cherry"}));
 }

@@ -112,7 +112,7 @@ TEST(OptionFields, WhatFilesHoldIsReadBack) {
   EXPECT_EQ(again.shown, "red");
 }
 
-TEST(OptionFields, AMissingOrInvalidParameterIsNamed) {
+TEST(OptionFields, AnInvalidParameterIsNamedAndAFileOfAnotherTaskToo) {
   auto parameters = option_parameters("task", fields, Options{});
   const auto fault = [&] {
     Options options;
@@ -125,6 +125,16 @@ TEST(OptionFields, AMissingOrInvalidParameterIsNamed) {
   EXPECT_EQ(fault(), "/parameters/task/count has an invalid value");
   parameters.erase(parameters.begin());
   EXPECT_EQ(fault(), "does not say /parameters/task/is_wide");
+}
+
+/// It is older than the option.
+TEST(OptionFields, WhatAFileLacksKeepsItsDefault) {
+  auto parameters = option_parameters("task", fields, Options{true, 9, 5, {0.25}, "blue", "green"});
+  std::erase_if(parameters, [](const auto& one) { return one.first == "task/count"; });
+  Options again;
+  restore_options("task", fields, parameters, again);
+  EXPECT_EQ(again.count, Options{}.count);
+  EXPECT_EQ(again.seed, 5U);
 }
 
 TEST(OptionFields, WhatATaskChoosesIsLeftOpen) {

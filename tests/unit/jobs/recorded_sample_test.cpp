@@ -92,16 +92,6 @@ TEST(RecordedSample, WhatIsRecordedIsReadBack) {
   EXPECT_EQ(again.contact_energy, options.contact_energy);
 }
 
-TEST(RecordedSample, ATemperatureOfVersion030IsAnEnergyInKcal) {
-  const std::vector<NamedParameter> read =
-      renewed({{"sample/seed", std::string("5")}, {"sample/temperature", 12.552}});
-  EXPECT_EQ(read, (std::vector<NamedParameter>{{"sample/seed", std::string("5")},
-                                               {"sample/contact_energy", 3.0},
-                                               {"sample/near_frames", std::int64_t{0}},
-                                               {"sample/around", std::string()},
-                                               {"sample/turn_amides", false}}));
-}
-
 TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {
   const test::TempDirectory folder;
   const Peptide from = held_peptide();

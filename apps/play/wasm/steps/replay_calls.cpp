@@ -113,7 +113,7 @@ Reply force_file(const Request& request) {
   const ForceHeader header =
       read_force_header(request.bytes, request.fields.value("name", "force file"));
   Reply reply;
-  reply.fields = {{"version", header.version}, {"input", Json::array()}};
+  reply.fields = {{"input", Json::array()}};
   if (header.structure) reply.fields["structure"] = fingerprint_text(*header.structure);
   if (header.joints) reply.fields["joints"] = *header.joints;
   if (header.bars) reply.fields["bars"] = *header.bars;

@@ -32,23 +32,22 @@ class Parser {
   }
 
  private:
-  bool is_old() const { return header_.header.version < 3; }
-
   void take_event(const Words& words) {
     const std::string_view word = words[0];
     if (word == "force") return forces_.push_back(force_of(words, names_, place_));
     if (word == "step") return take_step(words);
-    const bool may_be_pulled = word == "wander" && !is_old();
-    if (!forces_.empty() && !may_be_pulled)
-      fail(place_, "expected force or step after a force, found " + quoted(word));
     if (word == "wander") return take_wander(words);
+    if (!forces_.empty())
+      fail(place_, "expected force, step or wander after a force, found " + quoted(word));
     if (word == "set") return take_set(words);
     if (word == "pin") return take_pins(words);
-    if (word == "hold_back" && !is_old()) return take_hold_back(words);
-    if (word == "start" && !is_old()) return take_start(words);
+    if (word == "hold_back") return take_hold_back(words);
+    if (word == "start") return take_start(words);
     for (const EditKind kind : {EditKind::cut, EditKind::bar, EditKind::restore})
-      if (word == name(kind) && !is_old()) return take_edit(kind, words);
-    fail(place_, "expected set, pin, force, step or wander, found " + quoted(word));
+      if (word == name(kind)) return take_edit(kind, words);
+    fail(place_,
+         "expected set, start, hold_back, pin, cut, bar, restore, force, step or wander, found " +
+             quoted(word));
   }
 
   template <class What>
@@ -71,8 +70,6 @@ class Parser {
   }
 
   void take_step(const Words& words) {
-    if (words.size() != 1 && is_old())
-      fail(place_, "step: expected nothing after it, found " + quoted(words[1]));
     const std::int64_t count = words.size() == 1 ? 1 : count_of(words);
     add(PullStep{std::exchange(forces_, {}), count});
   }

@@ -14,9 +14,6 @@
 //   step 350                 # so many steps under the forces above; there may be none
 //   wander 10                # so many steps of the pusher that `set perturb` names, and then of
 //                            # the forces above
-//
-// Version 2 has no header, start, hold_back, cut, bar or restore, one step a line, and no forces
-// before wander.
 #pragma once
 
 #include <cstdint>

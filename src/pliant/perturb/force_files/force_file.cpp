@@ -2,7 +2,6 @@
 #include "pliant/perturb/force_files/force_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "pliant/base/number.hpp"
@@ -16,10 +15,6 @@
 
 namespace pliant {
 namespace {
-
-/// The settings that are fields of a ForceFile.
-constexpr std::array<std::string_view, 4> own_settings{"timestep", "tolerance", "tolerance_length",
-                                                       "max_sweeps"};
 
 /// Reads a force file line by line.
 class Parser {
@@ -42,16 +37,13 @@ class Parser {
 
  private:
   void take(const Words& words) {
-    const bool is_old = header_.header.version == 1;
     if (words[0] == "push") return take_push(words);
-    if (is_old && std::ranges::count(own_settings, words[0]) > 0) return take_setting(words);
-    if (is_old)
-      fail(place_, "expected timestep, tolerance, tolerance_length, max_sweeps or push, found " +
-                       quoted(words[0]));
     if (words[0] != "set")
       fail(place_,
            "expected structure, joints, bars, input, set or push, found " + quoted(words[0]));
-    expect_words(words, 3, "a name and a value");
+    if (words.size() != 3)
+      fail(place_, "set: expected a name and a value, found " + std::to_string(words.size() - 1) +
+                       " fields");
     if (!found_.pushes.empty()) fail(place_, "set: expected before the first push");
     take_setting({words[1], words[2]});
   }
@@ -77,12 +69,6 @@ class Parser {
     found_.settings.push_back({name, std::string(words[1]), place_.line});
   }
 
-  void expect_words(const Words& words, std::size_t count, std::string_view what) {
-    if (words.size() != count)
-      fail(place_, std::string(words[0]) + ": expected " + std::string(what) + ", found " +
-                       std::to_string(words.size() - 1) + " fields");
-  }
-
   template <class Value>
   void set(std::optional<Value>& setting, const Words& words, Value value) {
     if (setting) fail(place_, std::string(words[0]) + ": is given twice");
@@ -90,7 +76,6 @@ class Parser {
   }
 
   double positive(const Words& words) {
-    expect_words(words, 2, "one number");
     const auto value = parse_real(words[1]);
     if (!value || *value <= 0.0)
       fail(place_,
@@ -99,7 +84,6 @@ class Parser {
   }
 
   void take_max_sweeps(const Words& words) {
-    expect_words(words, 2, "one whole number");
     const auto value = parse_integer(words[1]);
     if (!value || *value < 1)
       fail(place_, "max_sweeps: expected a whole number from 1, found " + quoted(words[1]));
@@ -174,11 +158,10 @@ std::string write_force_file(const ForceFile& forces, const Framework& framework
   if (!forces.counts.empty())
     return write_force_events(events_of(forces), framework, forces.header);
   const JointNames names(framework);
-  const bool is_old = forces.header.empty() && forces.settings.empty();
-  std::string text = is_old ? "pliant-forces 1\n" : write_force_header(forces.header);
+  std::string text = write_force_header(forces.header);
   for (const ForceEvent& event : settings_of(forces)) {
     const auto& set = std::get<SetOption>(event.what);
-    text += (is_old ? "" : "set ") + set.name + " " + set.value + "\n";
+    text += "set " + set.name + " " + set.value + "\n";
   }
   for (const JointForce& push : forces.pushes) text += force_line("push", push, names);
   return text;

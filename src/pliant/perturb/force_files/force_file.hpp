@@ -7,9 +7,6 @@
 //   set tolerance_length 0.001   # Angstrom; or "set tolerance 1e-6", relative
 //   set max_sweeps 1000
 //   push C1 12.5 -3 0.25         # joint, force (x, y, z) in kJ/(mol Angstrom)
-//
-// Version 1 has no header, no "set" before a setting, and only these three settings. It is written
-// if there is neither a header nor another setting.
 #pragma once
 
 #include <filesystem>

@@ -46,7 +46,7 @@ ForceHeader force_header_of(const Framework& framework) {
 }
 
 std::string write_force_header(const ForceHeader& header) {
-  std::string text = "pliant-forces 3\n";
+  std::string text = std::string(force_file_heading) + "\n";
   if (header.structure) text += "structure " + fingerprint_text(*header.structure) + "\n";
   if (header.joints) text += "joints " + std::to_string(*header.joints) + "\n";
   if (header.bars) text += "bars " + std::to_string(*header.bars) + "\n";
@@ -74,15 +74,9 @@ ForceHeader read_force_header(std::string_view text, std::string_view file) {
 }
 
 bool has_force_events(std::string_view text) {
-  bool is_version_3 = false;
   for (Lines lines(text); lines.next();) {
     const Words words = words_of(lines.line());
-    if (words.empty()) continue;
-    if (is_version_3 && std::ranges::count(event_words, words[0]) > 0) return true;
-    if (is_version_3) continue;
-    if (words.size() != 2 || words[0] != "pliant-forces" || words[1] != "3")
-      return words.size() == 2 && words[0] == "pliant-forces" && words[1] == "2";
-    is_version_3 = true;
+    if (!words.empty() && std::ranges::count(event_words, words[0]) > 0) return true;
   }
   return false;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The header of a force file of version 3: what its forces were made for.
+// The header of a force file: what its forces were made for.
 //
 //   pliant-forces 3
 //   structure 5f0c1d3a9b7e2468   # fingerprint of the structure as it was read
@@ -26,12 +26,9 @@ struct ForceSetting {
 
 /// The header of a force file. Missing entries are not known.
 struct ForceHeader {
-  int version = 3;  ///< 1 and 2 have no header
   std::optional<std::uint64_t> structure;
   std::optional<std::int64_t> joints, bars;
   std::vector<ForceSetting> input;  ///< options that are not as usual, and what holds a molecule
-
-  bool empty() const { return !structure && !joints && !bars && input.empty(); }
 };
 
 /// A header with only the numbers of joints and bars of a framework.
@@ -40,8 +37,8 @@ ForceHeader force_header_of(const Framework& framework);
 /// Returns the lines of a header, the first line of the file included.
 std::string write_force_header(const ForceHeader& header);
 
-/// Reads the first lines of a force file of any version without reading its forces. Throws
-/// InputError naming file, line and what was expected.
+/// Reads the first lines of a force file without reading its forces. Throws InputError naming file,
+/// line and what was expected.
 ForceHeader read_force_header(std::string_view text, std::string_view file);
 
 /// How the framework differs from the header: "746 joints, not 683"; "" if it fits.
@@ -50,8 +47,7 @@ std::string misfit(const ForceHeader& header, const Framework& framework);
 /// Throws InputError naming the file unless the header fits.
 void check_fit(const ForceHeader& header, const Framework& framework, std::string_view file);
 
-/// Whether a text holds events (force_events.hpp): all of version 2 does, and version 3 if it has
-/// more than settings and pushes.
+/// Whether a text holds events (force_events.hpp): more than settings and pushes.
 bool has_force_events(std::string_view text);
 
 }  // namespace pliant

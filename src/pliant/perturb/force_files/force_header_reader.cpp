@@ -9,8 +9,6 @@
 namespace pliant {
 namespace {
 
-constexpr std::string_view expected_heading = "\"pliant-forces\" and a version from 1 to 3";
-
 std::optional<std::uint64_t> hexadecimal(std::string_view text) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
@@ -60,7 +58,7 @@ bool ForceHeaderReader::take(const Words& words, std::string_view line, const Pl
   if (words.empty()) return true;
   if (!is_headed_) {
     take_heading(words, line, place);
-  } else if (is_over_ || header.version < 3) {
+  } else if (is_over_) {
     return false;
   } else if (words[0] == "structure") {
     expect_one(words, "a fingerprint", place);
@@ -78,10 +76,8 @@ bool ForceHeaderReader::take(const Words& words, std::string_view line, const Pl
 
 void ForceHeaderReader::take_heading(const Words& words, std::string_view line,
                                      const Place& place) {
-  const auto version = words.size() == 2 ? parse_integer(words[1]) : std::nullopt;
-  if (words[0] != "pliant-forces" || !version || *version < 1 || *version > 3)
-    fail(place, "expected " + std::string(expected_heading) + ", found " + quoted(trimmed(line)));
-  header.version = static_cast<int>(*version);
+  if (words != words_of(force_file_heading))
+    fail(place, "expected " + quoted(force_file_heading) + ", found " + quoted(trimmed(line)));
   is_headed_ = true;
 }
 
@@ -99,8 +95,7 @@ void ForceHeaderReader::take_input(std::string_view line, const Place& place) {
 }
 
 void ForceHeaderReader::end(std::string_view file) const {
-  if (!is_headed_)
-    fail({file}, "expected " + std::string(expected_heading) + " first, found no text");
+  if (!is_headed_) fail({file}, "expected " + quoted(force_file_heading) + " first, found no text");
 }
 
 }  // namespace pliant

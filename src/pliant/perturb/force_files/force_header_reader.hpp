@@ -10,6 +10,9 @@
 
 namespace pliant {
 
+/// The first line of a force file.
+inline constexpr std::string_view force_file_heading = "pliant-forces 3";
+
 /// Takes the lines of a force file one after the other, until the header is over.
 class ForceHeaderReader {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One line of a force file with a joint and a force on it; the same in all versions.
+// One line of a force file with a joint and a force on it.
 #pragma once
 
 #include <string>

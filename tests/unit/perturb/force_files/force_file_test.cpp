@@ -41,10 +41,10 @@ std::string refusal(std::string_view text, const Framework& framework = butane()
 }
 
 constexpr std::string_view plain =
-    "pliant-forces 1\n"
-    "timestep 0.01            # ps\n"
-    "tolerance_length 0.001\n"
-    "max_sweeps 1000\n"
+    "pliant-forces 3\n"
+    "set timestep 0.01            # ps\n"
+    "set tolerance_length 0.001\n"
+    "set max_sweeps 1000\n"
     "push C1 12.5 -3 0.25\n"
     "\n"
     "# nothing here\n"
@@ -64,16 +64,16 @@ TEST(ForceFile, ReadsSettingsAndPushes) {
 }
 
 TEST(ForceFile, NamesUnknownJointsAndTheirLine) {
-  EXPECT_EQ(refusal("pliant-forces 1\ntimestep 1\n\npush C9 1 2 3"),
+  EXPECT_EQ(refusal("pliant-forces 3\nset timestep 1\n\npush C9 1 2 3"),
             "f.txt:4: joint: no joint is named \"C9\"");
-  EXPECT_EQ(refusal("pliant-forces 1\npush 6 1 2 3"), "f.txt:2: joint: no joint is named \"6\"");
-  EXPECT_EQ(refusal("pliant-forces 1\npush -1 1 2 3"), "f.txt:2: joint: no joint is named \"-1\"");
-  EXPECT_EQ(refusal("pliant-forces 1\npush H 1 2 3"),
+  EXPECT_EQ(refusal("pliant-forces 3\npush 6 1 2 3"), "f.txt:2: joint: no joint is named \"6\"");
+  EXPECT_EQ(refusal("pliant-forces 3\npush -1 1 2 3"), "f.txt:2: joint: no joint is named \"-1\"");
+  EXPECT_EQ(refusal("pliant-forces 3\npush H 1 2 3"),
             "f.txt:2: joint: \"H\" is the name of 2 joints, use an index from 0");
 }
 
 TEST(ForceFile, RefusesForcesThatAreNone) {
-  const std::string line = "pliant-forces 1\n\n\npush C1 ";
+  const std::string line = "pliant-forces 3\n\n\npush C1 ";
   EXPECT_EQ(refusal(line + "1 nan 3"),
             "f.txt:4: force y: expected a finite number up to 1e100, found \"nan\"");
   EXPECT_EQ(refusal(line + "inf 2 3"),
@@ -87,42 +87,43 @@ TEST(ForceFile, RefusesForcesThatAreNone) {
 }
 
 TEST(ForceFile, RefusesForcesOfAnotherDimension) {
-  EXPECT_EQ(refusal("pliant-forces 1\n\n\npush C1 1 2"),
+  EXPECT_EQ(refusal("pliant-forces 3\n\n\npush C1 1 2"),
             "f.txt:4: push: expected a joint and a force (x, y, z), found 3 fields");
-  EXPECT_EQ(refusal("pliant-forces 1\npush C1 1 2 3 4"),
+  EXPECT_EQ(refusal("pliant-forces 3\npush C1 1 2 3 4"),
             "f.txt:2: push: expected a joint and a force (x, y, z), found 5 fields");
 }
 
 TEST(ForceFile, RefusesSettingsOutOfRange) {
-  EXPECT_EQ(refusal("pliant-forces 1\ntimestep -0.01"),
+  EXPECT_EQ(refusal("pliant-forces 3\nset timestep -0.01"),
             "f.txt:2: timestep: expected a number above 0, found \"-0.01\"");
-  EXPECT_EQ(refusal("pliant-forces 1\ntolerance 0"),
+  EXPECT_EQ(refusal("pliant-forces 3\nset tolerance 0"),
             "f.txt:2: tolerance: expected a number above 0, found \"0\"");
-  EXPECT_EQ(refusal("pliant-forces 1\ntolerance_length nan"),
+  EXPECT_EQ(refusal("pliant-forces 3\nset tolerance_length nan"),
             "f.txt:2: tolerance_length: expected a number above 0, found \"nan\"");
-  EXPECT_EQ(refusal("pliant-forces 1\nmax_sweeps 0"),
+  EXPECT_EQ(refusal("pliant-forces 3\nset max_sweeps 0"),
             "f.txt:2: max_sweeps: expected a whole number from 1, found \"0\"");
-  EXPECT_EQ(refusal("pliant-forces 1\nmax_sweeps 1.5"),
+  EXPECT_EQ(refusal("pliant-forces 3\nset max_sweeps 1.5"),
             "f.txt:2: max_sweeps: expected a whole number from 1, found \"1.5\"");
-  EXPECT_EQ(refusal("pliant-forces 1\ntimestep"),
-            "f.txt:2: timestep: expected one number, found 0 fields");
+  EXPECT_EQ(refusal("pliant-forces 3\nset timestep"),
+            "f.txt:2: set: expected a name and a value, found 1 fields");
 }
 
 TEST(ForceFile, RefusesASettingGivenTwice) {
-  for (const char* setting : {"timestep 1", "tolerance 1", "tolerance_length 1", "max_sweeps 1"}) {
+  for (const char* setting :
+       {"timestep 1", "tolerance 1", "tolerance_length 1", "max_sweeps 1", "seed 1"}) {
     const std::string line = setting;
-    EXPECT_EQ(refusal("pliant-forces 1\n" + line + "\n" + line),
+    EXPECT_EQ(refusal("pliant-forces 3\nset " + line + "\nset " + line),
               "f.txt:3: " + line.substr(0, line.size() - 2) + ": is given twice");
   }
 }
 
 TEST(ForceFile, LeavesOutWhatItDoesNotSay) {
-  const ForceFile file = parse("pliant-forces 1\npush C2 0 0 1\n");
+  const ForceFile file = parse("pliant-forces 3\npush C2 0 0 1\n");
   EXPECT_EQ(file.timestep, std::nullopt);
   EXPECT_EQ(file.tolerance, std::nullopt);
   EXPECT_EQ(file.tolerance_length, std::nullopt);
   EXPECT_EQ(file.max_sweeps, std::nullopt);
-  EXPECT_EQ(parse("pliant-forces 1").pushes.size(), 0u);
+  EXPECT_EQ(parse("pliant-forces 3").pushes.size(), 0u);
 }
 
 TEST(ForceFile, TakesLinesEndedByCarriageReturnAndNewline) {
@@ -133,17 +134,13 @@ TEST(ForceFile, TakesLinesEndedByCarriageReturnAndNewline) {
 }
 
 TEST(ForceFile, SaysWhatItExpected) {
-  EXPECT_EQ(refusal(""),
-            "f.txt: expected \"pliant-forces\" and a version from 1 to 3 first, found no text");
-  EXPECT_EQ(refusal("\n\npliant-forces 4\n"),
-            "f.txt:3: expected \"pliant-forces\" and a version from 1 to 3, found \"pliant-forces "
-            "4\"");
-  EXPECT_EQ(
-      refusal("HEADER \x1b[2J"),
-      "f.txt:1: expected \"pliant-forces\" and a version from 1 to 3, found \"HEADER \\x1b[2J\"");
-  EXPECT_EQ(refusal("pliant-forces 1\npull C1 1 2 3"),
-            "f.txt:2: expected timestep, tolerance, tolerance_length, max_sweeps or push, found "
-            "\"pull\"");
+  EXPECT_EQ(refusal(""), "f.txt: expected \"pliant-forces 3\" first, found no text");
+  EXPECT_EQ(refusal("\n\npliant-forces 2\n"),
+            "f.txt:3: expected \"pliant-forces 3\", found \"pliant-forces 2\"");
+  EXPECT_EQ(refusal("HEADER \x1b[2J"),
+            "f.txt:1: expected \"pliant-forces 3\", found \"HEADER \\x1b[2J\"");
+  EXPECT_EQ(refusal("pliant-forces 3\npull C1 1 2 3"),
+            "f.txt:2: expected structure, joints, bars, input, set or push, found \"pull\"");
 }
 
 /// A file with counts is one of events.
@@ -204,9 +201,10 @@ TEST(ForceFile, IsReadBackToTheSameBits) {
   file.max_sweeps = 7;
   file.pushes = {{3, {1e-300, -0.0, 12345.678901234567}}, {5, {1e100, 2, 3}}};
   const std::string text = write_force_file(file, butane());
-  EXPECT_EQ(text,
-            "pliant-forces 1\ntimestep 0.1\ntolerance 0.3333333333333333\nmax_sweeps 7\n"
-            "push C4 1e-300 -0 12345.678901234567\npush 5 1e+100 2 3\n");
+  EXPECT_EQ(
+      text,
+      "pliant-forces 3\nset timestep 0.1\nset tolerance 0.3333333333333333\nset max_sweeps 7\n"
+      "push C4 1e-300 -0 12345.678901234567\npush 5 1e+100 2 3\n");
   const ForceFile back = parse(text);
   EXPECT_EQ(back.timestep, file.timestep);
   EXPECT_EQ(back.tolerance, file.tolerance);
@@ -225,7 +223,7 @@ TEST(ForceFile, WritesIndicesForNamesThatAreNoWord) {
   for (Joint joint = 0; joint < 4; ++joint) file.pushes.push_back({joint, {1, 2, 3}});
   const std::string text = write_force_file(file, odd);
   EXPECT_EQ(text,
-            "pliant-forces 1\npush 0 1 2 3\npush 1 1 2 3\npush 2 1 2 3\npush \xc3\xa9 1 2 3\n");
+            "pliant-forces 3\npush 0 1 2 3\npush 1 1 2 3\npush 2 1 2 3\npush \xc3\xa9 1 2 3\n");
   const ForceFile back = parse(text, odd);
   for (Joint joint = 0; joint < 4; ++joint) EXPECT_EQ(back.pushes[joint].joint, joint);
 }
@@ -244,10 +242,10 @@ TEST(ForceFile, HoldsTheToleranceThatCounts) {
   ForceFile file;
   file.set({.timestep = 0.5}, {.relative = 1e-3, .length = 0.25}, 7);
   EXPECT_EQ(write_force_file(file, butane()),
-            "pliant-forces 1\ntimestep 0.5\ntolerance_length 0.25\nmax_sweeps 7\n");
+            "pliant-forces 3\nset timestep 0.5\nset tolerance_length 0.25\nset max_sweeps 7\n");
   file.set({.timestep = 0.5}, {.relative = 1e-3}, 7);
   EXPECT_EQ(write_force_file(file, butane()),
-            "pliant-forces 1\ntimestep 0.5\ntolerance 0.001\nmax_sweeps 7\n");
+            "pliant-forces 3\nset timestep 0.5\nset tolerance 0.001\nset max_sweeps 7\n");
 }
 
 TEST(ReadForceFile, ReadsFilesAndNamesThemInErrors) {
@@ -257,8 +255,7 @@ TEST(ReadForceFile, ReadsFilesAndNamesThemInErrors) {
   EXPECT_EQ(read_force_file(path, butane()).pushes.size(), 2u);
   std::ofstream(path) << "nothing";
   EXPECT_EQ(test::error_text<InputError>([&] { read_force_file(path, butane()); }),
-            path.string() +
-                ":1: expected \"pliant-forces\" and a version from 1 to 3, found \"nothing\"");
+            path.string() + ":1: expected \"pliant-forces 3\", found \"nothing\"");
   std::filesystem::remove(path);
   EXPECT_EQ(test::error_text<FileError>([&] { read_force_file(path, butane()); }),
             "cannot read " + path.string() + ": No such file or directory");
