@@ -10,8 +10,8 @@
 
 #include "bench/bench.hpp"
 #include "pliant/model/model.hpp"
-#include "pliant/resolve/froda/froda_lanes.hpp"
-#include "pliant/resolve/froda/froda_solver.hpp"
+#include "pliant/resolve/bodies/pull/froda_lanes.hpp"
+#include "pliant/resolve/bodies/pull/froda_solver.hpp"
 
 namespace pliant::bench {
 namespace {

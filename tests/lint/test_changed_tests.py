@@ -7,20 +7,20 @@ import changed_tests as near
 import pytest
 from sources import ROOT, files
 
-UNIT = P("tests/unit/resolve/units/loop_closure_test.cpp")
+UNIT = P("tests/unit/resolve/bodies/outward/loop_closure_test.cpp")
 LAW = P("tests/law/limit_law_test.cpp")
 CHECK = P("tests/python/check/test_recording.py")
 
 RANKS = [
     # test, what is in it, what changed, how near
     (UNIT, "", f"{UNIT}", near.ITSELF),
-    (UNIT, "", "src/pliant/resolve/units/loop_closure.cpp", near.NAMED),
+    (UNIT, "", "src/pliant/resolve/bodies/outward/loop_closure.cpp", near.NAMED),
     (UNIT, '#include "pliant/resolve/resolve.hpp"', "src/pliant/resolve/resolve.cpp", near.USES),
     (UNIT, '#include "support/frameworks.hpp"', "tests/support/frameworks.hpp", near.USES),
-    (UNIT, "", "src/pliant/resolve/units/shape_keeper.hpp", near.FOLDER),
-    (UNIT, "", "src/pliant/resolve/froda/near/cells.hpp", near.AREA),
+    (UNIT, "", "src/pliant/resolve/bodies/shape_keeper.hpp", near.FOLDER),
+    (UNIT, "", "src/pliant/resolve/bodies/near/cells.hpp", near.AREA),
     (UNIT, "", "src/pliant/record/h5md/h5md_reader.cpp", None),
-    (LAW, '#include "pliant/resolve/resolve.hpp"', "src/pliant/resolve/units/x.cpp", near.AFAR),
+    (LAW, '#include "pliant/resolve/resolve.hpp"', "src/pliant/resolve/bodies/outward/x.cpp", near.AFAR),
     (LAW, "", "tests/law/bond_law_test.cpp", None),
     (CHECK, "", "python/pliant/check/recording.py", near.NAMED),
     (

@@ -10,15 +10,15 @@
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/blocks/blocks.hpp"
+#include "pliant/resolve/bodies/local_steps.hpp"
+#include "pliant/resolve/bodies/shape_keeper.hpp"
 #include "pliant/resolve/lanes/lane_blocks.hpp"
 #include "pliant/resolve/lanes/lane_direct.hpp"
 #include "pliant/resolve/lanes/lane_sweeps.hpp"
-#include "pliant/resolve/local/local_steps.hpp"
 #include "pliant/resolve/method/method.hpp"
 #include "pliant/resolve/sweeps/anderson_sweeps.hpp"
 #include "pliant/resolve/sweeps/custom_sweeps.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
-#include "pliant/resolve/units/shape_keeper.hpp"
 
 namespace pliant {
 namespace {

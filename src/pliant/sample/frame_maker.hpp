@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "pliant/resolve/froda/froda_lanes.hpp"
-#include "pliant/resolve/froda/froda_solver.hpp"
+#include "pliant/resolve/bodies/pull/froda_lanes.hpp"
+#include "pliant/resolve/bodies/pull/froda_solver.hpp"
 #include "pliant/sample/sampler.hpp"
 
 namespace pliant {

@@ -7,7 +7,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/conformers/torsions/torsion_moves.hpp"
-#include "pliant/resolve/froda/bodies/body_plan.hpp"
+#include "pliant/resolve/bodies/tree/body_plan.hpp"
 
 namespace pliant {
 

@@ -4,8 +4,8 @@
 
 #include "law/sample/sample_cases.hpp"
 #include "pliant/conformers/torsions/conformer_framework.hpp"
-#include "pliant/resolve/froda/froda_lanes.hpp"
-#include "pliant/resolve/froda/froda_solver.hpp"
+#include "pliant/resolve/bodies/pull/froda_lanes.hpp"
+#include "pliant/resolve/bodies/pull/froda_solver.hpp"
 #include "pliant/sample/network/coarse_nodes.hpp"
 #include "support/frameworks.hpp"
 

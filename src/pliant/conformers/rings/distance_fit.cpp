@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/resolve/units/dense_solve.hpp"
+#include "pliant/base/math/dense_solve.hpp"
 
 namespace pliant {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pliant/base/random.hpp"
-#include "pliant/resolve/froda/bodies/body_plan.hpp"
+#include "pliant/resolve/bodies/tree/body_plan.hpp"
 
 namespace pliant {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/conformers/torsions/loop_equations.hpp"
 
-#include "pliant/resolve/units/dense_solve.hpp"
+#include "pliant/base/math/dense_solve.hpp"
 
 namespace pliant {
 

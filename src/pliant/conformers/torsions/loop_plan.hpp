@@ -10,7 +10,7 @@
 #include "pliant/conformers/rings/bond_chemistry.hpp"
 #include "pliant/conformers/torsions/torsion_draws.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/resolve/froda/bodies/body_plan.hpp"
+#include "pliant/resolve/bodies/tree/body_plan.hpp"
 
 namespace pliant {
 

@@ -25,7 +25,7 @@
 #include "pliant/conformers/torsions/loop_draws.hpp"
 #include "pliant/conformers/torsions/torsion_draws.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/resolve/froda/bodies/body_plan.hpp"
+#include "pliant/resolve/bodies/tree/body_plan.hpp"
 
 namespace pliant {
 

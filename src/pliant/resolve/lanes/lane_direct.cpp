@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "pliant/resolve/newton/direct_method.hpp"
+#include "pliant/resolve/newton/kept_shapes.hpp"
 #include "pliant/resolve/newton/nearest_point.hpp"
-#include "pliant/resolve/units/shape_keeper.hpp"
 
 namespace pliant {
 namespace {
@@ -104,17 +104,21 @@ class LaneNewton final : public LaneDirect {
   std::vector<LaneValue> of_bars_[2];
 };
 
+bool has_shapes_to_keep(const LaneSetting& setting) {
+  return !KeptShapes(setting.framework, setting.options.tolerance).empty();
+}
+
 }  // namespace
 
 std::unique_ptr<LaneMethod> make_lane_newton(const LaneSetting& setting) {
-  if (has_shapes_to_keep(setting.framework, setting.options)) return nullptr;
+  if (has_shapes_to_keep(setting)) return nullptr;
   auto method = std::make_unique<LaneNewton>(setting);
   if (method->is_entangled() || method->any_overbraced()) return nullptr;
   return method;
 }
 
 std::unique_ptr<LaneMethod> make_lane_shake(const LaneSetting& setting) {
-  if (has_shapes_to_keep(setting.framework, setting.options)) return nullptr;
+  if (has_shapes_to_keep(setting)) return nullptr;
   auto method = std::make_unique<LaneShake>(setting);
   if (method->is_entangled()) return nullptr;
   return method;

@@ -10,7 +10,7 @@
 #include "pliant/base/random.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
-#include "pliant/resolve/froda/bodies/body_plan.hpp"
+#include "pliant/resolve/bodies/tree/body_plan.hpp"
 #include "pliant/sample/pocket/pocket.hpp"
 #include "pliant/sample/pocket/rotamer_table.hpp"
 
