@@ -17,10 +17,15 @@ RANKS = [
     (UNIT, "", "src/pliant/resolve/bodies/outward/loop_closure.cpp", near.NAMED),
     (UNIT, '#include "pliant/resolve/resolve.hpp"', "src/pliant/resolve/resolve.cpp", near.USES),
     (UNIT, '#include "support/frameworks.hpp"', "tests/support/frameworks.hpp", near.USES),
-    (UNIT, "", "src/pliant/resolve/bodies/shape_keeper.hpp", near.FOLDER),
+    (UNIT, "", "src/pliant/resolve/bodies/outward/unit_pass.hpp", near.FOLDER),
     (UNIT, "", "src/pliant/resolve/bodies/near/cells.hpp", near.AREA),
     (UNIT, "", "src/pliant/record/h5md/h5md_reader.cpp", None),
-    (LAW, '#include "pliant/resolve/resolve.hpp"', "src/pliant/resolve/bodies/outward/x.cpp", near.AFAR),
+    (
+        LAW,
+        '#include "pliant/resolve/resolve.hpp"',
+        "src/pliant/resolve/bodies/outward/x.cpp",
+        near.AFAR,
+    ),
     (LAW, "", "tests/law/bond_law_test.cpp", None),
     (CHECK, "", "python/pliant/check/recording.py", near.NAMED),
     (

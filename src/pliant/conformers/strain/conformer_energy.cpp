@@ -10,7 +10,7 @@ namespace pliant {
 namespace {
 
 // With angles that cannot open, atoms seem nearer than they are, and in vacuum molecules fold up.
-constexpr double softened = 0.8, dispersion_share = 0.5;
+constexpr double scale_of_reach = 0.8, dispersion_share = 0.5;
 constexpr std::size_t largest_small_ring = 7;
 
 /// Whether the bond is in a ring of at most seven atoms.
@@ -33,7 +33,7 @@ bool is_in_small_ring(const BondChemistry& chemistry, Bar bond) {
 }  // namespace
 
 ConformerEnergy::ConformerEnergy(const Framework& framework, const BondChemistry& chemistry)
-    : dispersion_(framework, chemistry, {.scale = softened}) {
+    : dispersion_(framework, chemistry, {.scale = scale_of_reach}) {
   if (framework.atoms() == nullptr) return;
   for (Joint a = 0; a < framework.joint_count(); ++a)
     for (const Link& bond : chemistry.bonds_at(a)) {

@@ -14,23 +14,8 @@
 namespace pliant {
 namespace {
 
-/// Each cut takes equations that are solved densely: more are left to sweeps.
-constexpr std::size_t most_cuts = 200;
 /// Bars this much better than asked for leave room for the rounding of a few steps.
 constexpr double start_share = 0.1;
-
-std::optional<BodyPlan> plan_of(const Framework& framework) {
-  std::optional<BodyPlan> plan = BodyPlan::make(framework);
-  if (plan && plan->cuts().size() > most_cuts) plan.reset();
-  return plan;
-}
-
-/// A molecule has bars of some 2 Angstrom; others are taken for large or small molecules.
-double unit_of(const Framework& framework) {
-  double sum = 0.0;
-  for (double rest : framework.rest_lengths()) sum += rest;
-  return sum > 0.0 ? 0.5 * sum / double(framework.bar_count()) : 1.0;
-}
 
 Tolerance for_start(Tolerance tolerance) {
   tolerance.relative *= start_share;
@@ -46,18 +31,19 @@ bool has_whole_bars(const ResidualSummary& found, const Tolerance& tolerance) {
 class Froda final : public Method {
  public:
   Froda(const Framework& framework, const Technique& technique, const ResolveOptions& options)
-      : framework_(framework), technique_(technique), options_(options), plan_(plan_of(framework)) {
-    if (plan_) solver_ = std::make_unique<FrodaSolver>(framework, *plan_, unit_of(framework));
-  }
+      : framework_(framework),
+        technique_(technique),
+        options_(options),
+        froda_(plan_froda(framework)) {}
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
-    if (!solver_) return leave_to_sweeps(call, summary);
+    if (!froda_) return leave_to_sweeps(call, summary);
     look_at_reference(call);
     if (const auto stop = look_at_push(call)) return *stop;
     target_.assign(call.positions.begin(), call.positions.end());
     if (!find_start(call, summary)) return leave_to_sweeps(call, summary);
-    const FrodaResult result =
-        solver_->resolve(start_, target_, call.positions, options_of_solver(), call.limits_off);
+    const FrodaResult result = froda_->solver.resolve(start_, target_, call.positions,
+                                                      options_of_solver(), call.limits_off);
     note(result.steps, summary);
     if (technique_.mass_weighted) keep_centre_of_mass(call.positions);
     if (measure_of(call).measure(call.positions, call.limits_off).within) return Stop::converged;
@@ -110,8 +96,7 @@ class Froda final : public Method {
     }
     start_ = target_;
     if (!units_)
-      units_ =
-          make_units_nearest(framework_, technique_, options_with(for_start(options_.tolerance)));
+      units_ = make_units(framework_, technique_, options_with(for_start(options_.tolerance)));
     ResolveCall alone = call;
     alone.positions = start_;
     alone.disturbed = {call.disturbed.root};
@@ -152,8 +137,7 @@ class Froda final : public Method {
   const Framework& framework_;
   Technique technique_;
   ResolveOptions options_;
-  std::optional<BodyPlan> plan_;
-  std::unique_ptr<FrodaSolver> solver_;       ///< null: left to sweeps
+  std::unique_ptr<PlannedFroda> froda_;       ///< null: left to sweeps
   std::unique_ptr<KeptMeasure> own_measure_;  ///< of calls that bring none
   bool starts_at_reference_ = false;          ///< where bars are whole
   std::unique_ptr<Method> units_, sweeps_;

@@ -10,7 +10,7 @@
 namespace pliant {
 
 /// Starts from the whole positions before the push (ResolveCall::reference), or, if these are not
-/// known, from what make_units_nearest() gives. Frameworks with pinned joints, in a plane or with
+/// known, from what `units` gives. Frameworks with pinned joints, in a plane or with
 /// many loops of units are resolved as by `anderson`, and so is what it leaves broken.
 std::unique_ptr<Method> make_froda(const Framework& framework, const Technique& technique,
                                    const ResolveOptions& options);

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/resolve/bodies/units.hpp"
+#include "pliant/resolve/bodies/froda.hpp"
 #include "pliant/resolve/newton/kept_shapes.hpp"
 #include "pliant/resolve/newton/newton.hpp"
 #include "pliant/resolve/shake/shake.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 /// Units that share joints may bend each other once more.
 constexpr int most_fits = 3;
-/// Sweeps of make_units_nearest() in all.
+/// Sweeps of `froda` in all.
 constexpr std::int64_t most_sweeps = 20;
 
 class ShapeKeeper final : public Method {
@@ -55,13 +55,13 @@ class ShapeKeeper final : public Method {
   /// Begins where the push left the joints; what was there is kept if that does no better.
   void place_units(const ResolveCall& call, ResolveSummary& summary) {
     whole_.assign(call.positions.begin(), call.positions.end());
-    if (!units_) {
+    if (!froda_) {
       ResolveOptions options = options_;
       options.max_sweeps = std::min(options.max_sweeps, most_sweeps);
-      units_ = make_units_nearest(framework_, {"units", 0.5, true}, options);
+      froda_ = make_froda(framework_, {"froda", 0.5, true}, options);
     }
     std::copy(pushed_.begin(), pushed_.end(), call.positions.begin());
-    if (keep_if_whole(call, *units_, summary) && find_bent(call))
+    if (keep_if_whole(call, *froda_, summary) && find_bent(call))
       std::copy(whole_.begin(), whole_.end(), call.positions.begin());
   }
 
@@ -79,7 +79,7 @@ class ShapeKeeper final : public Method {
   ResolveOptions options_;
   KeptShapes shapes_;
   std::unique_ptr<Method> method_;
-  std::unique_ptr<Method> units_;  ///< null until it is needed
+  std::unique_ptr<Method> froda_;  ///< null until it is needed
   std::vector<Vec3> pushed_, whole_;
 };
 

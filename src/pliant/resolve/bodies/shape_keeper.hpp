@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Makes methods that know only bars keep what lengths do not determine: the side of its plane on
 // which an atom of a flat group is. Units that lose their shape are given it back where they are,
-// and the bars that this breaks are resolved again; if that bends them once more, units are placed
-// as make_units_nearest() does.
+// and the bars that this breaks are resolved again; if that bends them once more, `froda` places
+// them.
 #pragma once
 
 #include <memory>

@@ -8,6 +8,7 @@
 
 #include "pliant/resolve/blocks/blocks.hpp"
 #include "pliant/resolve/bodies/outward/unit_pass.hpp"
+#include "pliant/resolve/bodies/pull/froda_solver.hpp"
 
 namespace pliant {
 namespace {
@@ -20,9 +21,8 @@ bool has_more_than_rods(const UnitSet& set) { return set.things().size() > 2 * s
 
 class Units final : public Method {
  public:
-  Units(const Framework& framework, const Technique& technique, const ResolveOptions& options,
-        bool nearest)
-      : framework_(framework), technique_(technique), options_(options), nearest_(nearest) {
+  Units(const Framework& framework, const Technique& technique, const ResolveOptions& options)
+      : framework_(framework), technique_(technique), options_(options) {
     if (framework.is_planar()) return;  // units would turn out of the plane
     UnitSet units = find_units(framework);
     if (has_more_than_rods(units))
@@ -38,11 +38,10 @@ class Units final : public Method {
     ++summary.sweeps;
     summary.projections += static_cast<std::int64_t>(framework_.bar_count());
     if (is_whole(call.positions)) {
-      const bool may_approach = nearest_ && summary.sweeps < options_.max_sweeps;
-      if (may_approach || has_swung(call)) look_ahead(call, summary);
-      const bool returns = has_swung(call) && return_to_reference(call);
-      const bool is_last = summary.sweeps >= options_.max_sweeps;
-      return (may_approach || returns) && !is_last ? approach(call, summary) : Stop::converged;
+      if (has_swung(call)) follow_from_reference(call, summary);
+      if (has_swung(call)) look_ahead(call, summary);
+      if (has_swung(call)) return_to_reference(call);
+      return Stop::converged;
     }
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
     if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
@@ -80,25 +79,25 @@ class Units final : public Method {
       std::copy(after_.begin(), after_.end(), call.positions.begin());
   }
 
-  /// Where even a pass that looks ahead has swung (a chain that is all stretched out cannot follow
-  /// its joints) it begins where all was whole before the push, if that is known and nearer.
-  bool return_to_reference(const ResolveCall& call) const {
-    if (call.reference.empty() || framework_.has_pinned_joints()) return false;
-    if (!(farthest(call.reference) < farthest(call.positions)) || !is_whole(call.reference))
-      return false;
-    std::copy(call.reference.begin(), call.reference.end(), call.positions.begin());
-    return true;
+  /// From the positions before the push, if they are known, all units turn about their hinges to
+  /// where it has left them, as in `froda`; what the pass gave is kept if that is nearer.
+  void follow_from_reference(const ResolveCall& call, ResolveSummary& summary) {
+    if (call.reference.empty() || !is_whole(call.reference)) return;
+    if (!has_planned_) froda_ = plan_froda(framework_);
+    has_planned_ = true;
+    if (!froda_) return;
+    after_.assign(call.positions.begin(), call.positions.end());
+    const int steps = froda_->solver.resolve(call.reference, before_, call.positions).steps;
+    summary.projections += steps * static_cast<std::int64_t>(framework_.bar_count());
+    if (!is_whole(call.positions) || farthest(call.positions) > farthest(after_))
+      std::copy(after_.begin(), after_.end(), call.positions.begin());
   }
 
-  /// A second pass, nearer to where the joints were; what the first gave is kept if it fails.
-  Stop approach(const ResolveCall& call, ResolveSummary& summary) {
-    after_.assign(call.positions.begin(), call.positions.end());
-    const UnitPass::Placement placement = pass_->approach(call, before_);
-    ++summary.sweeps;
-    summary.projections += static_cast<std::int64_t>(framework_.bar_count());
-    if (placement != UnitPass::Placement::placed || !is_whole(call.positions))
-      std::copy(after_.begin(), after_.end(), call.positions.begin());
-    return Stop::converged;
+  /// A chain that is all stretched out cannot follow its joints: it stays where it was whole.
+  void return_to_reference(const ResolveCall& call) const {
+    if (call.reference.empty() || framework_.has_pinned_joints()) return;
+    if (farthest(call.reference) < farthest(call.positions) && is_whole(call.reference))
+      std::copy(call.reference.begin(), call.reference.end(), call.positions.begin());
   }
 
   double error(std::span<const Vec3> positions, std::size_t bar) const {
@@ -130,20 +129,16 @@ class Units final : public Method {
   ResolveOptions options_;
   std::unique_ptr<UnitPass> pass_;  ///< null: rods alone
   std::unique_ptr<Method> blocks_;
-  bool nearest_;
-  std::vector<Vec3> before_, after_;  ///< to keep what was better, and to come near it again
+  bool has_planned_ = false;
+  std::unique_ptr<PlannedFroda> froda_;  ///< null: not planned yet, or there is no plan
+  std::vector<Vec3> before_, after_;     ///< to keep what was better, and to come near it again
 };
 
 }  // namespace
 
 std::unique_ptr<Method> make_units(const Framework& framework, const Technique& technique,
                                    const ResolveOptions& options) {
-  return std::make_unique<Units>(framework, technique, options, false);
-}
-
-std::unique_ptr<Method> make_units_nearest(const Framework& framework, const Technique& technique,
-                                           const ResolveOptions& options) {
-  return std::make_unique<Units>(framework, technique, options, true);
+  return std::make_unique<Units>(framework, technique, options);
 }
 
 }  // namespace pliant

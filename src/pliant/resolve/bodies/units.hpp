@@ -20,9 +20,4 @@ namespace pliant {
 std::unique_ptr<Method> make_units(const Framework& framework, const Technique& technique,
                                    const ResolveOptions& options);
 
-/// The same, followed by one turn of all hinges that brings the joints as near as possible to where
-/// they were: in one pass everything beyond a unit swings with it.
-std::unique_ptr<Method> make_units_nearest(const Framework& framework, const Technique& technique,
-                                           const ResolveOptions& options);
-
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operations on twists and inertias in lanes, as in body_kernels.hpp of resolve/froda; a part of
-// lane_level.cpp.
+// Operations on twists and inertias in lanes, as in articulated_body.hpp of resolve/bodies; a part
+// of lane_level.cpp.
 #pragma once
 
 #include "pliant/resolve/lanes/lane_bodies.hpp"
@@ -9,7 +9,7 @@
 namespace pliant::PLIANT_LANE_LEVEL {
 namespace {
 
-constexpr double least_inertia = 1e-6;  // as in body_kernels.cpp
+constexpr double least_inertia = 1e-6;  // as in articulated_body.cpp
 
 PLIANT_LANE_INLINE const Lanes* numbers(const LaneValue* x) {
   return reinterpret_cast<const Lanes*>(x);

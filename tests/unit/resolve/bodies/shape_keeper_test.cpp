@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pliant/lab/examples/examples.hpp"
+#include "pliant/resolve/newton/kept_shapes.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "support/frameworks.hpp"
 
@@ -69,15 +70,15 @@ TEST_P(ShapeKeeper, LeavesPinnedJoints) {
 INSTANTIATE_TEST_SUITE_P(Direct, ShapeKeeper, testing::Values("newton", "shake"),
                          [](const auto& row) { return std::string(row.param); });
 
-TEST(ShapesToKeep, AreThoseOfDrawnUnitsOfFourJoints) {
-  EXPECT_TRUE(has_shapes_to_keep(flat_group(), {}));
-  EXPECT_FALSE(has_shapes_to_keep(framework_of(chain(9)), {})) << "no units";
+TEST(KeptShapes, AreThoseOfDrawnUnitsOfFourJoints) {
+  EXPECT_FALSE(KeptShapes(flat_group(), {}).empty());
+  EXPECT_TRUE(KeptShapes(framework_of(chain(9)), {}).empty()) << "no units";
   FrameworkParts lengths_alone = test::parts_of(flat_group());
   lengths_alone.drawn = {};
-  EXPECT_FALSE(has_shapes_to_keep(Framework(std::move(lengths_alone)), {}));
+  EXPECT_TRUE(KeptShapes(Framework(std::move(lengths_alone)), {}).empty());
   FrameworkParts of_the_plane = test::parts_of(framework_of(grid(2, 2)));
   of_the_plane.planar = true;
-  EXPECT_FALSE(has_shapes_to_keep(Framework(std::move(of_the_plane)), {}));
+  EXPECT_TRUE(KeptShapes(Framework(std::move(of_the_plane)), {}).empty());
 }
 
 }  // namespace shape_keeper_test

@@ -153,7 +153,7 @@ void UnitAhead::go_inward(std::span<const UnitStep> steps) {
     } else {
       carried_by = seen_from(unit.place, a, nullptr);
     }
-    const Twist lost = times(unit.inertia, carried_by);
+    const Twist lost = froda::product(unit.inertia, carried_by);
     for (std::size_t i = 0; i < 6; ++i) unit.force[i] -= lost[i];
     add_body(parent.inertia, parent.force, unit.inertia, unit.force,
              unit.place.origin - parent.place.origin);

@@ -114,13 +114,6 @@ UnitPass::Placement UnitPass::look_ahead(const ResolveCall& call, std::span<cons
   return ahead_.place(plan_, call.positions, targets) ? Placement::placed : Placement::unfit;
 }
 
-UnitPass::Placement UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
-  nearest_.approach(plan_, call.positions, targets);
-  approached_.assign(call.positions.begin(), call.positions.end());
-  // Units are not placed one at a time: rounding would grow from unit to unit.
-  return look_ahead(call, approached_);
-}
-
 UnitPass::Placement UnitPass::place(const ResolveCall& call, UnitStep& step) {
   if (!step.is_known && !step.is<UnitStep::Still>())
     plan_.set_shape(step, loop_of_[step.unit]->shape());

@@ -17,7 +17,6 @@
 
 #include "pliant/resolve/bodies/outward/unit_ahead.hpp"
 #include "pliant/resolve/bodies/outward/unit_loop.hpp"
-#include "pliant/resolve/bodies/outward/unit_nearest.hpp"
 #include "pliant/resolve/bodies/outward/unit_plan.hpp"
 #include "pliant/resolve/method/plan_of_root.hpp"
 
@@ -37,10 +36,6 @@ class UnitPass {
   /// After run(): places all again near `targets` (N), looking ahead (UnitAhead). unfit: as in
   /// run(), or if some unit has no direction; positions are then undefined.
   Placement look_ahead(const ResolveCall& call, std::span<const Vec3> targets);
-
-  /// After run(): turns all hinges at once to the placement nearest to `targets` (N), weighted by
-  /// mass or not, and places every unit once more, exactly.
-  Placement approach(const ResolveCall& call, std::span<const Vec3> targets);
 
  private:
   void make_loops(const Technique& technique, const ResolveOptions& options);
@@ -63,8 +58,6 @@ class UnitPass {
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
   std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
   UnitAhead ahead_;
-  UnitNearest nearest_;
-  std::vector<Vec3> approached_;
   PlanOfRoot planned_;
 };
 

@@ -95,12 +95,6 @@ struct UnitStep {
     if (is<Still>() || moves_freely()) return 0;
     return is<Hinge>() ? 1 : 3;
   }
-  /// Joint `b` of a hinge or rod; otherwise null.
-  const Joint* second() const {
-    if (const auto* hinge = std::get_if<Hinge>(&entry)) return &hinge->b;
-    if (const auto* rod = std::get_if<Rod>(&entry)) return &rod->b;
-    return nullptr;
-  }
 };
 
 /// Plans passes from any root; linear in joints.

@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/bodies/pull/froda_solver.hpp"
 
+#include <optional>
+#include <utility>
+
 #include "pliant/resolve/bodies/pull/contact_steps.hpp"
 
 namespace pliant {
+namespace {
+
+constexpr std::size_t most_cuts = 200;
+
+/// A molecule has bars of some 2 Angstrom; others are taken for large or small molecules.
+double unit_of(const Framework& framework) {
+  double sum = 0.0;
+  for (double rest : framework.rest_lengths()) sum += rest;
+  return sum > 0.0 ? 0.5 * sum / double(framework.bar_count()) : 1.0;
+}
+
+}  // namespace
 
 FrodaSolver::FrodaSolver(const Framework& framework, const BodyPlan& plan, double unit)
     : frame_(framework, plan, unit), step_(plan, frame_.working(), unit), unit_(unit) {}
@@ -62,6 +77,15 @@ double FrodaSolver::step() {
   const double moved = step_.step(frame_.positions(), frame_.request());
   frame_.note_step();
   return moved;
+}
+
+PlannedFroda::PlannedFroda(const Framework& framework, BodyPlan bodies)
+    : plan(std::move(bodies)), solver(framework, plan, unit_of(framework)) {}
+
+std::unique_ptr<PlannedFroda> plan_froda(const Framework& framework) {
+  std::optional<BodyPlan> plan = BodyPlan::make(framework);
+  if (!plan || plan->cuts().size() > most_cuts) return nullptr;
+  return std::make_unique<PlannedFroda>(framework, std::move(*plan));
 }
 
 }  // namespace pliant

@@ -4,6 +4,7 @@
 // every limit and every least distance holds. See ../README.md, froda.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "pliant/resolve/bodies/pull/froda_frame.hpp"
@@ -35,5 +36,18 @@ class FrodaSolver {
   ArticulatedStep step_;
   double unit_;
 };
+
+/// A solver with a plan of its own, for a framework of any size: half the mean length of its bars
+/// is the unit of lengths.
+struct PlannedFroda {
+  PlannedFroda(const Framework& framework, BodyPlan bodies);
+
+  BodyPlan plan;
+  FrodaSolver solver;
+};
+
+/// The framework must outlive it. Null where BodyPlan::make() gives none, or one with more than 200
+/// cuts, each of which takes equations that are solved densely.
+std::unique_ptr<PlannedFroda> plan_froda(const Framework& framework);
 
 }  // namespace pliant

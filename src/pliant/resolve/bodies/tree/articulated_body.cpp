@@ -6,19 +6,26 @@ namespace {
 
 /// A turn that moves less than this, against what the inertia could give, moves nothing.
 constexpr double vanishing = 1e-12;
+constexpr double least_inertia = 1e-6;  // in joints, at a unit of length
 
 std::size_t entry(std::size_t i, std::size_t j) {
   return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
 }
 
-}  // namespace
-
-Twist times(const Inertia& inertia, const Twist& s) {
-  Twist out{};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 6; ++j) out[i] += inertia[entry(i, j)] * s[j];
-  return out;
+void factorize(Inertia& m, double square_unit) {
+  for (std::size_t j = 0; j < 6; ++j) {
+    double& pivot = m[entry(j, j)];
+    pivot += j < 3 ? least_inertia * square_unit : least_inertia;
+    for (std::size_t k = 0; k < j; ++k) pivot -= m[entry(j, k)] * m[entry(j, k)] * m[entry(k, k)];
+    for (std::size_t i = j + 1; i < 6; ++i) {
+      double sum = m[entry(i, j)];
+      for (std::size_t k = 0; k < j; ++k) sum -= m[entry(i, k)] * m[entry(j, k)] * m[entry(k, k)];
+      m[entry(i, j)] = sum / pivot;
+    }
+  }
 }
+
+}  // namespace
 
 void add_point(Inertia& a, Twist& force, Vec3 x, Vec3 pull, double w) {
   const Vec3 wx = w * x;
@@ -86,23 +93,30 @@ void add_body(Inertia& inertia, Twist& force, const Inertia& other, const Twist&
 }
 
 void BodyTurn::eliminate(Inertia& inertia, Twist& force) {
-  u = times(inertia, s);
-  d = dot6(s, u);
-  angle = dot6(s, force);
+  u = froda::product(inertia, s);
+  d = froda::dot(s, u);
+  angle = froda::dot(s, force);
   double most = 0.0;
   for (std::size_t i = 0; i < 6; ++i) most += s[i] * s[i] * inertia[entry(i, i)];
   if (!(d > vanishing * most)) d = 0.0;
   if (d == 0.0) return;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double share = u[i] / d;
-    force[i] -= share * angle;
-    for (std::size_t j = 0; j <= i; ++j) inertia[entry(i, j)] -= share * u[j];
-  }
+  froda::add_scaled(-angle / d, u, force);
+  froda::add_direction(-1.0 / d, u, inertia);
 }
 
 void BodyTurn::settle(Twist& twist) {
-  angle = d > 0.0 ? (angle - dot6(u, twist)) / d : 0.0;
-  for (std::size_t i = 0; i < 6; ++i) twist[i] += angle * s[i];
+  angle = d > 0.0 ? (angle - froda::dot(u, twist)) / d : 0.0;
+  froda::add_scaled(angle, s, twist);
+}
+
+Twist froda::solve6(Inertia m, Twist v, double square_unit) {
+  factorize(m, square_unit);
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = 0; k < i; ++k) v[i] -= m[entry(i, k)] * v[k];
+  for (std::size_t i = 0; i < 6; ++i) v[i] /= m[entry(i, i)];
+  for (std::size_t i = 6; i-- > 0;)
+    for (std::size_t k = i + 1; k < 6; ++k) v[i] -= m[entry(k, i)] * v[k];
+  return v;
 }
 
 }  // namespace pliant

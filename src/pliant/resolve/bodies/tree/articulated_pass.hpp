@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/resolve/bodies/tree/body_kernels.hpp"
+#include "pliant/resolve/bodies/tree/articulated_body.hpp"
 #include "pliant/resolve/bodies/tree/body_plan.hpp"
 #include "pliant/resolve/bodies/tree/turn_springs.hpp"
 #include "pliant/resolve/bodies/tree/working_trees.hpp"
