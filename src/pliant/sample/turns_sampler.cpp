@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/sample/turns_sampler.hpp"
 
+#include <memory>
 #include <utility>
 
 #include "pliant/base/random.hpp"
+#include "pliant/sample/modes_sampler.hpp"
 #include "pliant/sample/network/network_modes.hpp"
 #include "pliant/sample/sample_options.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "pliant/sample/turns/course_measures.hpp"
 
 namespace pliant {
-
-TurnsSampler::TurnsSampler(const SamplerSetting& setting)
-    : TurnsSampler(setting, network_modes(setting.nodes, setting.options.network)) {
-  if (!empty()) return;
-  setting.options.log.warn(
-      "sampler turns: the molecule has no two parts that could turn against each other; its "
-      "frames are those of sampler modes");
-  modes_ = std::make_unique<ModesSampler>(setting);
-}
 
 TurnsSampler::TurnsSampler(const SamplerSetting& setting, const NetworkModes& modes)
     : framework_(setting.framework),
@@ -28,9 +21,8 @@ TurnsSampler::TurnsSampler(const SamplerSetting& setting, const NetworkModes& mo
       of_joint_(nodes_of_joints(setting.nodes, setting.start)),
       seed_(setting.options.seed) {}
 
-void TurnsSampler::ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+void TurnsSampler::ask(std::int64_t frame, int, int attempt, std::span<const Vec3>,
                        FrameRequest& request) const {
-  if (modes_) return modes_->ask(frame, step, attempt, now, request);
   ask_with({}, frame, attempt, request);
 }
 
@@ -50,8 +42,15 @@ void TurnsSampler::ask_with(std::vector<Vec3> displacements, std::int64_t frame,
   request.limits_off = torn_limits(framework_, request.targets);  // of pieces that move apart
 }
 
+/// If a molecule has no domains, its frames are those of `modes`, with a warning.
 std::unique_ptr<Sampler> make_turns_sampler(const SamplerSetting& setting) {
-  return std::make_unique<TurnsSampler>(setting);
+  NetworkModes modes = network_modes(setting.nodes, setting.options.network);
+  auto turns = std::make_unique<TurnsSampler>(setting, modes);
+  if (!turns->empty()) return turns;
+  setting.options.log.warn(
+      "sampler turns: the molecule has no two parts that could turn against each other; its "
+      "frames are those of sampler modes");
+  return std::make_unique<ModesSampler>(setting, std::move(modes));
 }
 
 }  // namespace pliant

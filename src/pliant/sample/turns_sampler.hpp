@@ -3,10 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "pliant/sample/modes_sampler.hpp"
+#include "pliant/sample/network/network_modes.hpp"
 #include "pliant/sample/sampler.hpp"
 #include "pliant/sample/turns/turn_draws.hpp"
 
@@ -15,12 +14,10 @@ namespace pliant {
 /// Each frame depends on the seed and its number alone.
 class TurnsSampler final : public Sampler {
  public:
-  /// If a molecule has no domains, its frames are those of `modes`, with a warning.
-  explicit TurnsSampler(const SamplerSetting& setting);
-  /// For ask_with(), unless it is empty().
+  /// Its frames are asked for unless it is empty().
   TurnsSampler(const SamplerSetting& setting, const NetworkModes& modes);
 
-  bool has_amplitude() const override { return modes_ != nullptr; }
+  bool has_amplitude() const override { return false; }
 
   /// Whether there are domains that can turn.
   bool empty() const { return draws_.empty(); }
@@ -39,7 +36,6 @@ class TurnsSampler final : public Sampler {
   TurnDraws draws_;
   std::vector<std::uint32_t> of_joint_;
   std::uint64_t seed_;
-  std::unique_ptr<ModesSampler> modes_;  ///< where no domain can turn
 };
 
 }  // namespace pliant
