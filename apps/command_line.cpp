@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <set>
 
 #include "option_wording.hpp"
 #include "pliant/base/choices.hpp"
@@ -74,6 +75,7 @@ struct CommandLine::Parser {
   CLI::App app;
   std::vector<std::pair<std::string, std::string>> not_required_with = {};
   std::vector<std::string> common = {};
+  std::set<std::string> given_elsewhere = {};
 
   std::string help() { return single_spaced(app.help()); }
 
@@ -280,6 +282,12 @@ int CommandLine::parse(const Arguments& arguments) {
   return exit_usage;
 }
 
-bool CommandLine::was_given(const std::string& name) const { return parser_->app.count(name) > 0; }
+void CommandLine::note_given(const std::string& name) { parser_->given_elsewhere.insert(name); }
+
+bool CommandLine::was_given(const std::string& name) const {
+  if (parser_->given_elsewhere.contains(name)) return true;
+  const CLI::Option* option = parser_->app.get_option_no_throw(name);
+  return option != nullptr && option->count() > 0;
+}
 
 }  // namespace pliant::app

@@ -90,7 +90,10 @@ class CommandLine {
   /// Returns -1 to continue, else the exit code (help or an error was printed).
   int parse(const Arguments& arguments);
 
-  /// Whether parse() found the option.
+  /// Counts an option as given that came from elsewhere.
+  void note_given(const std::string& name);
+
+  /// Whether parse() found the option; false of one that the command does not have.
   bool was_given(const std::string& name) const;
 
  private:

@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 #include "messages.hpp"
-#include "options/molecule_input.hpp"
+#include "options/job_options.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
 
@@ -14,13 +14,14 @@ namespace pliant::app {
 namespace {
 
 struct ContactsSettings {
-  MoleculeOptions molecule;
+  InputOptions input;
+  ModelAsked model;
   bool as_csv = false, as_json = false, verbose = false;
 };
 
 void add_options(CommandLine& line, ContactsSettings& settings) {
-  add_file_options(line, settings.molecule);
-  add_model_options(line, settings.molecule.kind);
+  add_input_options(line, settings.input, false);
+  add_model_options(line, settings.model);
   line.start_group("Output");
   line.add_flag("--csv", settings.as_csv, "print a table that --contacts reads back");
   line.add_flag("--json", settings.as_json,
@@ -77,9 +78,9 @@ int command_contacts(const Arguments& arguments) {
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
   Messages messages(settings.as_json);
-  const Log log = messages.log_of_model(settings.molecule.file, settings.verbose);
-  const MolecularModel model =
-      build_model(read(settings.molecule, log), model_options_of(settings.molecule.kind, log));
+  const Log log = messages.log_of_model(settings.input.file, settings.verbose);
+  const MolecularModel model = build_model(
+      read_input(settings.input, log), model_options_of(settings.model, ModelKind::protein, log));
   messages.end_model(model.left_out);
   if (settings.as_csv) {
     fmt::print("{}", contacts_as_csv(model.contacts, model.structure));

@@ -7,11 +7,10 @@
 
 #include "command.hpp"
 #include "messages.hpp"
-#include "options/molecule_fields.hpp"
 #include "output/json.hpp"
-#include "output/output_files.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/output_options.hpp"
 #include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/text/compression.hpp"
@@ -69,7 +68,7 @@ std::string default_output(const std::string& input) {
 void print_summary(const ForcegenSettings& settings) {
   if (!settings.json)
     return fmt::print("{} pushes in {}\n", settings.count, printable_name(settings.output));
-  print_json({{"input", settings.molecule.file},
+  print_json({{"input", settings.molecule.input.file},
               {"output", settings.output},
               {"pushes", settings.count},
               {"force", settings.perturb.force},
@@ -93,10 +92,10 @@ int command_forcegen(const Arguments& arguments) {
   add_options(line, settings);
   line.set_common({"--count", "--force", "--seed", "--model", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
-  if (settings.output.empty()) settings.output = default_output(settings.molecule.file);
+  if (settings.output.empty()) settings.output = default_output(settings.molecule.input.file);
   refuse_same_files(inputs_of(settings.molecule), {settings.output});
   Messages messages(settings.json);
-  const Molecule molecule = load(settings.molecule, messages.log());
+  const Molecule molecule = load_molecule(settings.molecule, messages.log());
   write_text_file(path_of(settings.output),
                   write_force_file(force_file_of(settings, molecule), molecule.framework),
                   settings.overwrite);

@@ -7,7 +7,7 @@
 
 #include "command.hpp"
 #include "messages.hpp"
-#include "options/molecule_input.hpp"
+#include "options/job_options.hpp"
 #include "output/json.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/printable.hpp"
@@ -91,7 +91,7 @@ std::size_t chains_of(const Structure& structure) {
 /// Whether there are bars across bond angles: all models but that of bonds have them.
 bool has_angles(const MoleculeOptions& options) {
   return bars_of(options) == "angles" ||
-         (!options.kind.name.empty() && options.kind.name != "bonds");
+         (!options.model.model.empty() && options.model.model != "bonds");
 }
 
 Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
@@ -116,7 +116,7 @@ Json as_object(const Counts& counts) {
 
 Json json_of_file(const Facts& facts) {
   const Structure& structure = facts.structure;
-  return {{"file", facts.options.file},
+  return {{"file", facts.options.input.file},
           {"format", structure.format},
           {"title", structure.title},
           {"model", structure.model},
@@ -213,8 +213,8 @@ std::string pinned_joints(const Facts& facts) {
 
 void print_molecule_rows(const Facts& facts) {
   const Structure& structure = facts.structure;
-  fmt::print("{} ({}, model {} of {})\n", printable_name(facts.options.file), structure.format,
-             structure.model, structure.model_count);
+  fmt::print("{} ({}, model {} of {})\n", printable_name(facts.options.input.file),
+             structure.format, structure.model, structure.model_count);
   print_row("atoms", structure.size(), listed(facts.elements));
   if (!structure.assemblies.empty())
     print_row(
@@ -231,7 +231,7 @@ void print_molecule_rows(const Facts& facts) {
 }
 
 void print_graph_rows(const Facts& facts) {
-  fmt::print("{} (graph)\n", printable_name(facts.options.file));
+  fmt::print("{} (graph)\n", printable_name(facts.options.input.file));
   print_row("joints", facts.graph.joints, pinned_joints(facts));
   print_row("bars", facts.graph.bars, "");
 }
@@ -290,7 +290,7 @@ int command_info(const Arguments& arguments) {
   line.set_common({"--assembly", "--select", "--model", "--bars", "--json"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   Messages messages(as_json);
-  const Molecule molecule = load(options, messages.log());
+  const Molecule molecule = load_molecule(options, messages.log());
   const Facts facts = facts_of(options, molecule);
   if (as_json) {
     print_facts_as_json(facts, messages);

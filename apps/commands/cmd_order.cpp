@@ -4,13 +4,13 @@
 
 #include "command.hpp"
 #include "messages.hpp"
-#include "options/molecule_input.hpp"
+#include "options/job_options.hpp"
 #include "output/json.hpp"
-#include "output/output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/joint_names.hpp"
+#include "pliant/jobs/output_options.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/text/output_file.hpp"
 
@@ -56,7 +56,7 @@ void print_json(const OrderSettings& settings, const Framework& framework,
     const Joint far = visit.near == bar.a ? bar.b : bar.a;
     bars.push_back({{"near", visit.near}, {"far", far}, {"is_tree", visit.is_tree}});
   }
-  const Json json{{"input", settings.molecule.file},
+  const Json json{{"input", settings.molecule.input.file},
                   {"ordering", settings.ordering},
                   {"output", settings.output},
                   {"bars", Json::array(bars)}};
@@ -81,7 +81,7 @@ int command_order(const Arguments& arguments) {
   if (const int code = line.parse(arguments); code >= 0) return code;
   refuse_same_files(inputs_of(settings.molecule), {settings.output});
   Messages messages(settings.json);
-  const Molecule molecule = load(settings.molecule, messages.log());
+  const Molecule molecule = load_molecule(settings.molecule, messages.log());
   const Ordering ordering = ordering_of(settings, molecule.framework);
   const std::string text = write_ordering_file(ordering, molecule.framework);
   if (!settings.output.empty()) write_text_file(path_of(settings.output), text, settings.overwrite);

@@ -7,16 +7,16 @@
 #include "command.hpp"
 #include "external.hpp"
 #include "messages.hpp"
-#include "options/molecule_input.hpp"
+#include "options/job_options.hpp"
 #include "options/option_fields.hpp"
 #include "output/graph_rigidity.hpp"
-#include "output/output_files.hpp"
 #include "output/rigidity_files.hpp"
 #include "output/rigidity_json.hpp"
 #include "output/rigidity_report.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/output_options.hpp"
 #include "pliant/model/rigidity/rings_of_six.hpp"
 
 namespace pliant::app {
@@ -72,8 +72,8 @@ constexpr const char* footer =
     "  pliant rigidity linkage.xml";
 
 void add_options(CommandLine& line, RigiditySettings& settings) {
-  add_file_options(line, settings.molecule, true);
-  add_model_options(line, settings.molecule.kind);
+  add_input_options(line, settings.molecule.input, true);
+  add_model_options(line, settings.molecule.model);
   line.start_group("Counting");
   for (const auto& field : rigidity_fields())
     add_option(line, field, field.place(settings.counting));
@@ -127,11 +127,12 @@ int write_page(const std::filesystem::path& program, const RigiditySettings& set
 }
 
 RigidityReport report_of(const RigiditySettings& settings, Messages& messages) {
-  const Log log = messages.log_of_model(settings.molecule.file, settings.verbose);
-  RigidityReport report{find_rigidity(contact_model(read(settings.molecule, log),
-                                                    model_options_of(settings.molecule.kind, log)),
+  const Log log = messages.log_of_model(settings.molecule.input.file, settings.verbose);
+  RigidityReport report{find_rigidity(contact_model(read_input(settings.molecule.input, log),
+                                                    model_options_of(settings.molecule.model,
+                                                                     ModelKind::protein, log)),
                                       settings.counting),
-                        settings.molecule.file,
+                        settings.molecule.input.file,
                         {},
                         {}};
   messages.end_model(report.model.left_out);
@@ -169,8 +170,8 @@ void warn_of_rank(const BarRankThere& rank, const Log& log) {
 int rigidity_of_graph(const RigiditySettings& settings) {
   check_for_graph(settings);
   Messages messages(settings.as_json);
-  const Molecule graph = load(settings.molecule, messages.log());
-  const GraphRigidityReport report{settings.molecule.file, graph.framework,
+  const Molecule graph = load_molecule(settings.molecule, messages.log());
+  const GraphRigidityReport report{settings.molecule.input.file, graph.framework,
                                    framework_rigidity(graph.framework, graph.structure.positions)};
   warn_of_rank(report.found.rank, messages.log());
   if (settings.as_csv)

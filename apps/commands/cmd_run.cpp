@@ -2,7 +2,6 @@
 // pliant run: the main job. A molecule in, an H5MD trajectory out.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -12,12 +11,10 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "options/force_header_input.hpp"
-#include "output/frame_output.hpp"
-#include "output/output_files.hpp"
 #include "output/print_run.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/base/printable.hpp"
-#include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/frame_output.hpp"
+#include "pliant/jobs/output_options.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/resolve/techniques.hpp"
 
@@ -26,41 +23,31 @@ namespace {
 
 std::vector<std::string> outputs_of(const RunSettings& settings) {
   std::vector<std::string> outputs;
-  if (settings.topology != "none") outputs.push_back(settings.topology);
-  const std::int64_t first = settings.first_walker;
-  for (std::int64_t walker = first; walker < first + settings.walkers; ++walker) {
-    if (!settings.one_file || walker == first) outputs.push_back(output_of(settings, walker));
-    if (!settings.record_forces.empty())
-      outputs.push_back(of_walker(settings, settings.record_forces, walker));
+  if (settings.job.output.topology != "none") outputs.push_back(settings.job.output.topology);
+  const std::int64_t first = settings.job.walkers.first;
+  for (std::int64_t walker = first; walker < first + settings.job.walkers.walkers; ++walker) {
+    if (!settings.job.walkers.one_file || walker == first)
+      outputs.push_back(output_of(settings, walker));
+    if (!settings.job.walkers.record_forces.empty())
+      outputs.push_back(of_walker(settings, settings.job.walkers.record_forces, walker));
   }
   return outputs;
 }
 
 /// Asked before a file is opened: no output is an input or another output.
 void check_outputs(const RunSettings& settings) {
-  std::vector<std::string> inputs = inputs_of(settings.molecule);
-  inputs.insert(inputs.end(), {settings.forces, settings.ordering});
-  refuse_same_files(inputs, {settings.output});
-  check_trajectory_name(settings.output);
-  check_record_options(settings.output, settings.save, settings.record);
+  std::vector<std::string> inputs = inputs_of(settings.job.molecule);
+  inputs.insert(inputs.end(), {settings.job.walkers.forces, settings.job.walkers.ordering});
+  refuse_same_files(inputs, {settings.job.output.output});
+  check_trajectory_name(settings.job.output.output, false);
   refuse_same_files(inputs, outputs_of(settings));
-}
-
-/// Asked of all outputs before the first is made, so that none is left behind alone.
-void refuse_to_replace(const RunSettings& settings) {
-  if (settings.record.overwrite) return;
-  for (const std::string& output : outputs_of(settings)) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(path_of(output), error))
-      throw FileError(printable_name(output) + ": exists; --overwrite replaces it");
-  }
 }
 
 /// Bars of bonds leave a molecule far more freedom than it has.
 void tell_what_is_free(const MoleculeOptions& options, const Structure& structure, const Log& log) {
   const bool is_molecule =
       structure.format != "graph" && usual_model(structure) == ModelKind::protein;
-  if (is_molecule && options.kind.name.empty() && bars_of(options) == "bonds")
+  if (is_molecule && options.model.model.empty() && bars_of(options) == "bonds")
     log.note(
         "only bonds are held: angles and planar groups are free, contacts may break, atoms may "
         "overlap; --model protein prevents this, and pliant sample makes ensembles");
@@ -70,9 +57,9 @@ void tell_what_is_free(const MoleculeOptions& options, const Structure& structur
 std::unique_ptr<LiveRun> live_run(const RunSettings& settings, const Molecule& molecule,
                                   const Log& log) {
   if (!settings.imd.is_asked) return nullptr;
-  if (settings.record_forces.empty())
+  if (settings.job.walkers.record_forces.empty())
     log.warn("clients can pull, but a force file cannot describe this run: it cannot be repeated");
-  return std::make_unique<LiveRun>(settings.imd, settings.run, molecule.framework.joint_count(),
+  return std::make_unique<LiveRun>(settings.imd, settings.job.run, molecule.framework.joint_count(),
                                    log);
 }
 
@@ -93,7 +80,7 @@ constexpr const char* footer =
 
 /// Outputs by their names; inputs by the options and by what a force file was made for.
 void take_names(const CommandLine& line, RunSettings& settings) {
-  name_outputs(line, settings);
+  settle(line, settings);
   check_outputs(settings);
   take_force_header(line, settings);
   check_outputs(settings);  // of inputs that the header names, too
@@ -102,15 +89,47 @@ void take_names(const CommandLine& line, RunSettings& settings) {
 int print_end(const RunSettings& settings, const Molecule& molecule, const Messages& messages,
               const std::vector<RunSummary>& summaries, const GuideEnd& end,
               const std::optional<ImdSummary>& served) {
-  if (settings.json) {
+  if (settings.printing.json) {
     print_run_json(settings, molecule.framework, summaries, messages.warnings(), end, served);
-  } else if (!settings.quiet) {
+  } else if (!settings.printing.quiet) {
     print_run_table(settings, molecule.framework, summaries);
     if (served) print_served(*served);
     end.print();
   }
   const int code = exit_code_of(added_up(summaries));
   return code == exit_ok && !end.is_reached() ? exit_unconverged : code;
+}
+
+int begin(CommandLine& line, RunSettings& settings) {
+  const bool asks_for_topology = !settings.job.output.topology.empty();
+  take_names(line, settings);
+  Messages messages(settings.printing.json || settings.printing.quiet);
+  Job& job = settings.job;
+  const Molecule molecule = load_molecule(
+      job.molecule, messages.log_of_model(job.molecule.input.file, settings.printing.verbose));
+  job.molecule.model.model = molecule.model;
+  messages.end_model(molecule.left_out);
+  tell_what_is_free(job.molecule, molecule.structure, messages.log());
+  check_force_header(settings, molecule, messages.log());
+  complete(line, settings, molecule);
+  OutputOptions& output = job.output;
+  output.record.saved = select_joints(molecule.framework, output.save, "--save");
+  refuse_to_replace(outputs_of(settings), output);
+  warn_if_doubtful(job.run.technique, molecule.framework, messages.log());
+  output.record.log = messages.log();
+  output.topology = fitting_topology(output.topology, asks_for_topology, molecule.framework,
+                                     molecule.structure.positions, output.record);
+  if (settings.printing.dry_run) return print_forces(settings), exit_ok;
+  watch_for_interrupt();
+  std::vector<Vec3> last = molecule.structure.positions;
+  const auto live = live_run(settings, molecule, messages.log());
+  const std::vector<RunSummary> summaries =
+      run_walkers(settings, molecule, messages.log(), last, live.get());
+  std::optional<ImdSummary> served;
+  if (live) served = live->close();
+  const GuideEnd end(settings.job.guide, settings.job.run.guide, molecule.structure.positions,
+                     last);
+  return print_end(settings, molecule, messages, summaries, end, served);
 }
 
 }  // namespace
@@ -133,32 +152,10 @@ int command_run(const Arguments& arguments) {
   line.set_common(
       {"--model", "--steps", "--technique", "--perturb", "--pull", "--pair-distance", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
-  if (!settings.go_on.empty()) return continue_run(line, settings);
-  const bool asks_for_topology = !settings.topology.empty();
-  take_names(line, settings);
-  Messages messages(settings.json || settings.quiet);
-  const Molecule molecule =
-      load(settings.molecule, messages.log_of_model(settings.molecule.file, settings.verbose));
-  messages.end_model(molecule.left_out);
-  tell_what_is_free(settings.molecule, molecule.structure, messages.log());
-  check_force_header(settings, molecule, messages.log());
-  complete(line, settings, molecule);
-  settings.record.saved = select_joints(molecule.framework, settings.save, "--save");
-  refuse_to_replace(settings);
-  warn_if_doubtful(settings.run.technique, molecule.framework, messages.log());
-  settings.record.log = messages.log();
-  settings.topology = fitting_topology(settings.topology, asks_for_topology, molecule.framework,
-                                       molecule.structure.positions, settings.record);
-  if (settings.dry_run) return print_forces(settings), exit_ok;
-  watch_for_interrupt();
-  std::vector<Vec3> last = molecule.structure.positions;
-  const auto live = live_run(settings, molecule, messages.log());
-  const std::vector<RunSummary> summaries =
-      run_walkers(settings, molecule, messages.log(), last, live.get());
-  std::optional<ImdSummary> served;
-  if (live) served = live->close();
-  const GuideEnd end(settings.guide, settings.run.guide, molecule.structure.positions, last);
-  return print_end(settings, molecule, messages, summaries, end, served);
+  return with_errors_as_json(!settings.printing.job_file.empty(), [&] {
+    take_job_file(line, settings.job, settings.printing.job_file);
+    return settings.job.go_on.empty() ? begin(line, settings) : continue_run(line, settings);
+  });
 }
 
 }  // namespace pliant::app

@@ -12,14 +12,15 @@
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
-#include "options/option_comparison.hpp"
-#include "options/recorded_settings.hpp"
-#include "output/output_files.hpp"
+#include "options/job_options.hpp"
 #include "output/print_run.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/base/version.hpp"
+#include "pliant/jobs/output_options.hpp"
 #include "pliant/jobs/recorded_run.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/run/ensemble.hpp"
 
 namespace pliant::app {
@@ -34,11 +35,11 @@ bool is_there(const std::string& file) {
 
 /// The settings are those of the first walker that was begun.
 std::int64_t first_begun(const RunSettings& settings) {
-  const std::int64_t end = settings.first_walker + settings.walkers;
-  for (std::int64_t walker = settings.first_walker; walker < end; ++walker)
+  const std::int64_t end = settings.job.walkers.first + settings.job.walkers.walkers;
+  for (std::int64_t walker = settings.job.walkers.first; walker < end; ++walker)
     if (is_there(output_of(settings, walker))) return walker;
-  const std::string name = output_of(settings, settings.first_walker);
-  if (is_ensemble(settings))
+  const std::string name = output_of(settings, settings.job.walkers.first);
+  if (settings.job.walkers.are_several())
     throw FileError(name + ": none of the files of these walkers is there");
   const fs::path path = path_of(name);
   const std::string of_walkers = path_text(
@@ -59,13 +60,14 @@ class ContinuedRun {
         options_(run_options_from(pattern_)),
         log_(log),
         progress_(progress),
-        frames_added_(static_cast<std::size_t>(settings.walkers)) {}
+        frames_added_(static_cast<std::size_t>(settings.job.walkers.walkers)) {}
 
   std::vector<RunSummary> run() {
-    const auto first = static_cast<std::uint64_t>(settings_.first_walker);
-    EnsembleOptions options{options_,
-                            {first, first + static_cast<std::uint64_t>(settings_.walkers)},
-                            static_cast<int>(settings_.threads)};
+    const auto first = static_cast<std::uint64_t>(settings_.job.walkers.first);
+    EnsembleOptions options{
+        options_,
+        {first, first + static_cast<std::uint64_t>(settings_.job.walkers.walkers)},
+        static_cast<int>(settings_.job.walkers.threads)};
     options.run.resolve.should_stop = interrupted;
     std::vector<RunSummary> summaries = run_ensemble(
         pattern_.framework, State(start()), options,
@@ -85,7 +87,7 @@ class ContinuedRun {
   Watchers watchers_of(std::int64_t walker) {
     const std::string file = output_of(settings_, walker);
     Watchers watchers;
-    if (walker == settings_.first_walker) watchers.log = log_;
+    if (walker == settings_.job.walkers.first) watchers.log = log_;
     if (!is_there(file)) {
       watch(watchers, walker, begin(file, walker), 0);
       return watchers;
@@ -103,14 +105,15 @@ class ContinuedRun {
   }
 
   H5mdOptions record_options() const {
-    H5mdOptions options = settings_.record;
+    H5mdOptions options = settings_.job.output.record;
     options.log = log_;
     return options;
   }
 
   void watch(Watchers& watchers, std::int64_t walker, const std::shared_ptr<H5mdRecorder>& recorder,
              std::int64_t frames_before) {
-    std::int64_t& added = frames_added_[static_cast<std::size_t>(walker - settings_.first_walker)];
+    std::int64_t& added =
+        frames_added_[static_cast<std::size_t>(walker - settings_.job.walkers.first)];
     watchers.observers = {[this, recorder](const Frame& frame) {
       recorder->record(frame);
       show_progress();
@@ -138,7 +141,7 @@ class ContinuedRun {
     header.bonds = reader.bonds();
     header.bond_origin_names = reader.bond_origin_names();
     header.masses = reader.masses();
-    header.creator_version = PLIANT_VERSION;
+    header.creator_version = std::string(version());
     header.parameters = pattern_.parameters;
     for (auto& [path, value] : header.parameters) {
       if (path == "run/walker") value = walker;
@@ -179,7 +182,7 @@ class ContinuedRun {
     for (std::size_t k = 0; k < other.parameters.size(); ++k) {
       const auto& [path, value] = other.parameters[k];
       if (path == "run/steps") continue;
-      const Parameter expected = path == "run/walker" && is_ensemble(settings_)
+      const Parameter expected = path == "run/walker" && settings_.job.walkers.are_several()
                                      ? Parameter(walker)
                                      : pattern_.parameters[k].second;
       if (path != pattern_.parameters[k].first || value != expected) refuse("/parameters/" + path);
@@ -217,34 +220,39 @@ void refuse_samples(const H5mdCheckpoint& from) {
 }  // namespace
 
 int continue_run(const CommandLine& line, RunSettings& settings) {
-  refuse_another_output(line, settings.output, settings.go_on);
   number_walkers(line, settings);
-  settings.output = settings.go_on;
-  settings.topology = "none";
-  if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
-  Messages messages(settings.json || settings.quiet);
+  if (settings.job.walkers.threads == 0)
+    settings.job.walkers.threads = std::thread::hardware_concurrency();
+  if (line.was_given("--imd"))
+    throw OptionError("--imd: does not go with --continue, which adds to " + settings.job.go_on);
+  Messages messages(settings.printing.json || settings.printing.quiet);
   const Log log = messages.log();
   std::optional<std::int64_t> steps;
-  if (line.was_given("--steps")) steps = settings.run.steps;
+  if (line.was_given("--steps")) steps = settings.job.run.steps;
+  const Job given = settings.job;
+  settings.job.output.output = settings.job.go_on;
+  settings.job.output.topology = no_topology;
   const std::string first = output_of(settings, first_begun(settings));
   H5mdCheckpoint pattern = read_checkpoint(path_of(first), steps, log);
   refuse_samples(pattern);
-  check_options_again(line, settings, pattern);
+  check_options_again(line, given, parameters_of(settings, pattern.framework, given.walkers.first),
+                      pattern);
   check_steps(pattern, log);
   const RunOptions options = run_options_from(pattern);
   // The file of one walker of several goes on as that walker.
-  if (!is_ensemble(settings))
-    settings.first_walker = static_cast<std::int64_t>(options.resolve.walker);
-  if (settings.dry_run) return exit_ok;
+  if (!settings.job.walkers.are_several())
+    settings.job.walkers.first = static_cast<std::int64_t>(options.resolve.walker);
+  if (settings.printing.dry_run) return exit_ok;
   watch_for_interrupt();
-  ProgressBar progress(settings.walkers * pattern.steps / options.every, "frames", settings.quiet);
+  ProgressBar progress(settings.job.walkers.walkers * pattern.steps / options.every, "frames",
+                       settings.printing.quiet);
   const Framework framework = pattern.framework;
   ContinuedRun continued(settings, steps, std::move(pattern), log, progress);
   const std::vector<RunSummary> summaries = continued.run();
-  settings.run = continued.options();
-  if (settings.json) {
+  settings.job.run = continued.options();
+  if (settings.printing.json) {
     print_run_json(settings, framework, summaries, messages.warnings());
-  } else if (!settings.quiet) {
+  } else if (!settings.printing.quiet) {
     print_run_table(settings, framework, summaries);
   }
   return exit_code_of(added_up(summaries));

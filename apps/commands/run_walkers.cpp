@@ -6,16 +6,15 @@
 #include <mutex>
 #include <optional>
 
-#include "commands/committed_walker.hpp"
-#include "commands/walker_sequence.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
-#include "options/molecule_fields.hpp"
-#include "output/frame_output.hpp"
-#include "output/recorded_header.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/jobs/committed_walker.hpp"
 #include "pliant/jobs/force_recorder.hpp"
+#include "pliant/jobs/frame_output.hpp"
+#include "pliant/jobs/molecule_header.hpp"
 #include "pliant/jobs/recorded_run.hpp"
+#include "pliant/jobs/walker_sequence.hpp"
 #include "pliant/run/ensemble.hpp"
 #include "pliant/run/replay_events.hpp"
 
@@ -25,10 +24,10 @@ namespace {
 H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std::int64_t walker) {
   H5mdHeader header = molecule_header(molecule.structure);
   header.parameters = parameters_of(settings, molecule.framework, walker);
-  header.several_walkers = settings.one_file;
-  if (settings.one_file) return header;  // a run of several goes on from no one file
-  header.inputs = run_inputs(settings.run);
-  if (is_ensemble(settings)) header.inputs->start = molecule.structure.positions;
+  header.several_walkers = settings.job.walkers.one_file;
+  if (settings.job.walkers.one_file) return header;  // a run of several goes on from no one file
+  header.inputs = run_inputs(settings.job.run);
+  if (settings.job.walkers.are_several()) header.inputs->start = molecule.structure.positions;
   return header;
 }
 
@@ -54,26 +53,28 @@ struct Shared {
 FrameOutput output_for(const Shared& shared, std::int64_t walker) {
   const RunSettings& settings = shared.settings;
   return {output_of(settings, walker), shared.molecule.framework,
-          header_of(settings, shared.molecule, walker), settings.record};
+          header_of(settings, shared.molecule, walker), settings.job.output.record};
 }
 
 /// One sidecar serves all walkers.
 void write_sidecar(const Shared& shared) {
   const Structure& structure = shared.molecule.structure;
-  write_topology(shared.settings.topology, shared.molecule.framework, molecule_header(structure),
-                 structure.positions, shared.settings.record);
+  write_topology(shared.settings.job.output.topology, shared.molecule.framework,
+                 molecule_header(structure), structure.positions,
+                 shared.settings.job.output.record);
 }
 
 /// Records a walker's pushes, or nothing.
 std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t walker) {
   const RunSettings& settings = shared.settings;
-  if (settings.record_forces.empty()) return {};
+  if (settings.job.walkers.record_forces.empty()) return {};
   // Such a run may go on for days.
-  const bool is_counted = shared.live != nullptr && replayed_steps(settings.run) == 0;
+  const bool is_counted = shared.live != nullptr && replayed_steps(settings.job.run) == 0;
   return std::optional<ForceRecorder>(
-      std::in_place, path_of(of_walker(settings, settings.record_forces, walker)),
-      settings.record.overwrite, shared.molecule.framework,
-      force_file_of(settings.run, force_header_of(settings.molecule, shared.molecule), is_counted),
+      std::in_place, path_of(of_walker(settings, settings.job.walkers.record_forces, walker)),
+      settings.job.output.record.overwrite, shared.molecule.framework,
+      force_file_of(settings.job.run, force_header_of(settings.job.molecule, shared.molecule),
+                    is_counted),
       is_counted ? std::optional(LiveRun::longest_step) : std::nullopt);
 }
 
@@ -91,8 +92,8 @@ struct RecordedWalker {
       : shared(shared_things), walker(number), forces(force_recorder(shared, walker)) {
     if (!shared.sequence) recorder.emplace(output_for(shared, walker));
     if (shared.commits)
-      committed.emplace(*shared.commits, walker, shared.settings.commits.seconds,
-                        shared.settings.run, kept);
+      committed.emplace(*shared.commits, walker, shared.settings.job.output.commit_seconds,
+                        shared.settings.job.run, kept);
   }
 
   bool keeps_forces() const {
@@ -133,7 +134,7 @@ struct RecordedWalker {
 
 Watchers recorded(Shared& shared, std::int64_t walker) {
   const auto outputs = std::make_shared<RecordedWalker>(shared, walker);
-  if (walker == shared.settings.first_walker) write_sidecar(shared);
+  if (walker == shared.settings.job.walkers.first) write_sidecar(shared);
   Watchers watchers;
   watchers.observers = {[outputs](const Frame& frame) { return outputs->record(frame); }};
   if (outputs->forces)
@@ -141,13 +142,13 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
   watchers.on_end = [outputs, &shared](const RunSummary& summary, const State& state) {
     if (shared.live != nullptr) shared.live->finish();
     outputs->close(summary, state);
-    if (!is_ensemble(shared.settings)) shared.last = state.positions;
+    if (!shared.settings.job.walkers.are_several()) shared.last = state.positions;
   };
-  if (walker == shared.settings.first_walker) watchers.log = shared.log;
+  if (walker == shared.settings.job.walkers.first) watchers.log = shared.log;
   if (shared.live != nullptr) {
     // A port that nobody chose has to be said.
-    if (!shared.settings.quiet || shared.settings.imd.port == 0)
-      shared.live->say_where(shared.settings.topology);
+    if (!shared.settings.printing.quiet || shared.settings.imd.port == 0)
+      shared.live->say_where(shared.settings.job.output.topology);
     watchers.hands = shared.live->hands();
     watchers.onlooker = shared.live->onlooker();
   }
@@ -159,14 +160,15 @@ std::unique_ptr<CommitLog> commit_log(const Shared& shared) {
   const H5mdHeader header = header_of(shared.settings, shared.molecule, 0);
   const auto key =
       key_of_run(shared.molecule.framework, shared.molecule.structure.positions, header.parameters);
-  return std::make_unique<CommitLog>(path_of(shared.settings.commits.file), key, shared.log);
+  return std::make_unique<CommitLog>(path_of(shared.settings.job.output.commits), key, shared.log);
 }
 
 /// What a person did, once more.
 RunSummary replay(Shared& shared) {
   const Watchers watchers = recorded(shared, 0);
   State state(shared.molecule.structure.positions);
-  ReplayOptions options{shared.settings.forces, shared.settings.run.every, interrupted, shared.log};
+  ReplayOptions options{shared.settings.job.walkers.forces, shared.settings.job.run.every,
+                        interrupted, shared.log};
   const RunSummary summary = replay_events(shared.molecule.framework, state, shared.settings.events,
                                            options, watchers.observers);
   watchers.on_end(summary, state);
@@ -177,17 +179,18 @@ RunSummary replay(Shared& shared) {
 
 std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
                                     const Log& log, std::vector<Vec3>& last, LiveRun* live) {
-  ProgressBar progress(settings.walkers * settings.run.steps, "steps", settings.quiet);
+  ProgressBar progress(settings.job.walkers.walkers * settings.job.run.steps, "steps",
+                       settings.printing.quiet);
   Shared shared{settings, molecule, log, progress, last, live};
   if (!settings.events.empty()) return {replay(shared)};
-  if (!settings.commits.file.empty()) shared.commits = commit_log(shared);
-  if (settings.one_file)
-    shared.sequence = std::make_unique<WalkerSequence>(output_for(shared, settings.first_walker),
-                                                       settings.first_walker);
-  const auto first = static_cast<std::uint64_t>(settings.first_walker);
-  EnsembleOptions options{settings.run,
-                          {first, first + static_cast<std::uint64_t>(settings.walkers)},
-                          static_cast<int>(settings.threads)};
+  if (!settings.job.output.commits.empty()) shared.commits = commit_log(shared);
+  if (settings.job.walkers.one_file)
+    shared.sequence = std::make_unique<WalkerSequence>(
+        output_for(shared, settings.job.walkers.first), settings.job.walkers.first);
+  const auto first = static_cast<std::uint64_t>(settings.job.walkers.first);
+  EnsembleOptions options{settings.job.run,
+                          {first, first + static_cast<std::uint64_t>(settings.job.walkers.walkers)},
+                          static_cast<int>(settings.job.walkers.threads)};
   options.run.resolve.should_stop = [live] {
     return interrupted() || (live != nullptr && live->was_killed());
   };

@@ -32,18 +32,18 @@ std::string values_in(const std::vector<ForceEvent>& events, const RunField& fie
 /// A file of events is one walker's way, step by step.
 void check_options(const CommandLine& line, const RunSettings& settings) {
   const std::string says =
-      printable_name(settings.forces) + " says itself, step by step, what is done";
+      printable_name(settings.job.walkers.forces) + " says itself, step by step, what is done";
   for (const RunField& field : run_fields()) {
     const std::string option = option_name(field.name);
     if (field.name == "every" || !line.was_given(option)) continue;
-    const std::string given = run_field_text(settings.run, field);
+    const std::string given = run_field_text(settings.job.run, field);
     const std::string made = field.name == "steps" ? std::to_string(steps_of(settings.events))
                                                    : values_in(settings.events, field);
     if (given != made) throw OptionError(option + ": " + says + ": " + made + ", not " + given);
   }
   for (const char* option : {"--ordering", "--record-forces", "--walkers", "--shard", "--imd"})
     if (line.was_given(option)) throw OptionError(std::string(option) + ": " + says);
-  if (!pushers_of(settings.run.guide).empty())
+  if (!pushers_of(settings.job.run.guide).empty())
     throw OptionError("--rock, --pull, --pair-distance: " + says);
 }
 
@@ -65,14 +65,14 @@ void note_what_is_taken(RunSettings& settings) {
 
 void take_events(const CommandLine& line, RunSettings& settings, const Molecule& molecule,
                  std::string_view text) {
-  settings.events = parse_force_events(text, settings.forces, molecule.framework);
+  settings.events = parse_force_events(text, settings.job.walkers.forces, molecule.framework);
   if (steps_of(settings.events) == 0)
-    throw InputError(printable_name(settings.forces) + ": holds no step");
+    throw InputError(printable_name(settings.job.walkers.forces) + ": holds no step");
   check_events(molecule.framework, State(molecule.structure.positions), settings.events,
-               settings.forces);
+               settings.job.walkers.forces);
   check_options(line, settings);
   note_what_is_taken(settings);
-  settings.run = options_after(settings.run, settings.events, molecule.framework);
+  settings.job.run = options_after(settings.job.run, settings.events, molecule.framework);
 }
 
 }  // namespace pliant::app

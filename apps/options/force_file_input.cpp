@@ -31,7 +31,7 @@ void expect_settings(const CommandLine& line, const RunSettings& settings, const
          "--tolerance");
   expect(file.max_sweeps.has_value(), "--max-sweeps");
   if (!missing.empty())
-    throw InputError(printable_name(settings.forces) +
+    throw InputError(printable_name(settings.job.walkers.forces) +
                      ": lacks settings, which must be given as options: " + missing);
 }
 
@@ -44,12 +44,12 @@ class SettingsTaking {
   void take() {
     for (const ForceEvent& event : settings_of(file_)) {
       const auto& set = std::get<SetOption>(event.what);
-      RunOptions taken = settings_.run;
+      RunOptions taken = settings_.job.run;
       try {
         set_run_field(taken, set.name, set.value);
         check_fields(taken);
       } catch (const OptionError& error) {
-        fail({settings_.forces, event.line}, error.what());
+        fail({settings_.job.walkers.forces, event.line}, error.what());
       }
       take(find_run_field(set.name), taken);
     }
@@ -58,11 +58,12 @@ class SettingsTaking {
  private:
   void take(const RunField& field, const RunOptions& taken) {
     const bool is_free = std::ranges::count(free_settings, field.name) > 0;
-    const bool is_left_to_ordering = field.name == "technique" && !settings_.ordering.empty();
+    const bool is_left_to_ordering =
+        field.name == "technique" && !settings_.job.walkers.ordering.empty();
     const std::string option = rival_of(field);
     if (is_left_to_ordering || (is_free && line_.was_given(option))) return;
     if (line_.was_given(option)) return compare(option, field, taken);
-    settings_.run = taken;
+    settings_.job.run = taken;
     settings_.taken_from_forces.emplace_back(field.name, run_field_text(taken, field));
   }
 
@@ -80,7 +81,7 @@ class SettingsTaking {
   void compare(const std::string& option, const RunField& field, const RunOptions& taken) const {
     std::string name = option.substr(2);
     std::ranges::replace(name, '-', '_');
-    const std::string given = run_field_text(settings_.run, find_run_field(name));
+    const std::string given = run_field_text(settings_.job.run, find_run_field(name));
     const std::string made = run_field_text(taken, field);
     if (name == field.name && given == made) return;
     overrides_forces(settings_, option + " " + given,
@@ -97,15 +98,16 @@ class SettingsTaking {
 void take_forces(const CommandLine& line, RunSettings& settings, const Molecule& molecule) {
   const std::string_view text = without_byte_order_mark(settings.force_text);
   if (has_force_events(text)) return take_events(line, settings, molecule, text);
-  ForceFile file = parse_force_file(text, settings.forces, molecule.framework);
-  if (file.pushes.empty()) throw InputError(printable_name(settings.forces) + ": holds no push");
+  ForceFile file = parse_force_file(text, settings.job.walkers.forces, molecule.framework);
+  if (file.pushes.empty())
+    throw InputError(printable_name(settings.job.walkers.forces) + ": holds no push");
   expect_settings(line, settings, file);
   SettingsTaking(line, settings, file).take();
-  RunOptions& run = settings.run;
+  RunOptions& run = settings.job.run;
   if (!line.was_given("--steps")) run.steps = static_cast<std::int64_t>(file.pushes.size());
   if (static_cast<std::size_t>(run.steps) > file.pushes.size())
     throw OptionError("--steps: expected at most " + std::to_string(file.pushes.size()) +
-                      ", the pushes in " + printable_name(settings.forces));
+                      ", the pushes in " + printable_name(settings.job.walkers.forces));
   run.replay = std::move(file.pushes);
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "options/molecule_fields.hpp"
+#include "options/option_fields.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
@@ -25,16 +25,22 @@ std::string spelled(const std::string& option, std::string_view value) {
   return option + " " + printable_name(value);
 }
 
+/// The model and the bars are taken by themselves.
+bool is_of_header(const OptionFacts& facts) {
+  return facts.users.file && facts.name != "model" && facts.name != "bars";
+}
+
 class HeaderTaking {
  public:
   HeaderTaking(const CommandLine& line, RunSettings& settings)
-      : line_(line), settings_(settings), options_(settings.molecule) {}
+      : line_(line), settings_(settings), options_(settings.job.molecule) {}
 
   void take() {
     const auto& input = settings_.force_header->input;
     for (const ForceSetting& one : input) at_line(one, [&] { check_name(one); });
     take_model();
-    for (const MoleculeField& field : molecule_fields()) take(field);
+    for (const OptionRow<MoleculeOptions>& row : molecule_rows())
+      if (is_of_header(*row.facts)) take(row);
   }
 
  private:
@@ -49,7 +55,7 @@ class HeaderTaking {
     try {
       work();
     } catch (const OptionError& error) {
-      fail({settings_.forces, one.line}, std::string("input: ") + error.what());
+      fail({settings_.job.walkers.forces, one.line}, std::string("input: ") + error.what());
     }
   }
 
@@ -57,7 +63,11 @@ class HeaderTaking {
     if (one.name == "model") {
       choose(models(), "model", one.value);
     } else if (one.name != "bars") {
-      choose(molecule_fields(), "option", one.name);
+      std::vector<std::string_view> known;
+      for (const OptionRow<MoleculeOptions>& row : molecule_rows())
+        if (is_of_header(*row.facts)) known.push_back(row.facts->name);
+      if (std::ranges::find(known, one.name) == known.end())
+        throw OptionError(unknown_choice("option", one.name, known));
     }
   }
 
@@ -70,12 +80,12 @@ class HeaderTaking {
     const ForceSetting* named = find("model") ? find("model") : find("bars");
     if (named == nullptr) return;
     const bool is_model = named->name == "model";
-    const bool is_given = !options_.kind.name.empty() || !options_.bars.empty();
+    const bool is_given = !options_.model.model.empty() || !options_.bars.bars.empty();
     if (!is_given) {
-      (is_model ? options_.kind.name : options_.bars) = named->value;
+      (is_model ? options_.model.model : options_.bars.bars) = named->value;
       return note(*named);
     }
-    const std::string option = options_.kind.name.empty() ? "--bars" : "--model";
+    const std::string option = options_.model.model.empty() ? "--bars" : "--model";
     const bool is_same =
         option == "--" + named->name && compared(bars_of(options_), is_bars_file(named->value)) ==
                                             compared(named->value, is_bars_file(named->value));
@@ -84,25 +94,22 @@ class HeaderTaking {
                        "with " + spelled("--" + named->name, named->value));
   }
 
-  bool was_given(const MoleculeField& field) const {
-    const bool is_number_of_model =
-        field.name == "frame" && line_.was_given("--model") && options_.kind.name.empty();
-    return line_.was_given(field.option) || is_number_of_model;
-  }
-
-  void take(const MoleculeField& field) {
-    const ForceSetting* named = find(field.name);
-    if (!was_given(field)) {
+  void take(const OptionRow<MoleculeOptions>& row) {
+    const OptionFacts& facts = *row.facts;
+    const std::string option = option_name(facts.opposite.empty() ? facts.name : facts.opposite);
+    const ForceSetting* named = find(facts.name);
+    if (!line_.was_given(option)) {
       if (named == nullptr) return;
-      at_line(*named, [&] { set_molecule_field(options_, field, named->value); });
+      at_line(*named, [&] { set_option(facts, row.place(options_), named->value); });
+      at_line(*named, [&] { check_option(facts, row.place(options_)); });
       return note(*named);
     }
-    const std::string given = molecule_field_text(options_, field);
-    const std::string made = named ? named->value : molecule_field_text({}, field);
-    if (compared(given, field.is_file) == compared(made, field.is_file)) return;
-    overrides_forces(
-        settings_, spelled(field.option, given),
-        named ? "with " + spelled(field.option, made) : std::string("without ") + field.option);
+    MoleculeOptions usual;
+    const std::string given = option_text(row.place(options_));
+    const std::string made = named ? named->value : option_text(row.place(usual));
+    if (compared(given, facts.is_file) == compared(made, facts.is_file)) return;
+    overrides_forces(settings_, spelled(option, given),
+                     named ? "with " + spelled(option, made) : "without " + option);
   }
 
   const CommandLine& line_;
@@ -113,10 +120,11 @@ class HeaderTaking {
 /// Nobody can say whether what holds the molecule is what it was made for.
 void warn_of_unknown_model(const RunSettings& settings, const Molecule& molecule, const Log& log) {
   const ForceHeader& header = *settings.force_header;
-  const bool is_said = !settings.molecule.kind.name.empty() || !settings.molecule.bars.empty();
+  const bool is_said =
+      !settings.job.molecule.model.model.empty() || !settings.job.molecule.bars.bars.empty();
   const bool is_known = header.joints.has_value() || !header.input.empty();
   if (is_said || is_known || molecule.structure.format == "graph") return;
-  log.warn(printable_name(settings.forces) +
+  log.warn(printable_name(settings.job.walkers.forces) +
            ": does not say for which structure, model and hydrogens it was made: " +
            std::to_string(molecule.framework.joint_count()) +
            " joints and --bars bonds are a guess; give its --model or --bars");
@@ -126,19 +134,21 @@ void warn_of_unknown_model(const RunSettings& settings, const Molecule& molecule
 
 bool overrides_forces(const RunSettings& settings, const std::string& given,
                       const std::string& made) {
-  if (settings.override_forces) return true;
-  throw OptionError(given + ": " + printable_name(settings.forces) + " was made " + made +
+  if (settings.job.walkers.override_forces) return true;
+  throw OptionError(given + ": " + printable_name(settings.job.walkers.forces) + " was made " +
+                    made +
                     "; leave the option out, or give --override-forces to go by the command line");
 }
 
 void take_force_header(const CommandLine& line, RunSettings& settings) {
-  if (settings.forces.empty()) {
-    if (settings.override_forces) throw OptionError("--override-forces: goes with --forces");
+  if (settings.job.walkers.forces.empty()) {
+    if (settings.job.walkers.override_forces)
+      throw OptionError("--override-forces: goes with --forces");
     return;
   }
-  settings.force_text = read_bytes(path_of(settings.forces));
+  settings.force_text = read_bytes(path_of(settings.job.walkers.forces));
   settings.force_header =
-      read_force_header(without_byte_order_mark(settings.force_text), settings.forces);
+      read_force_header(without_byte_order_mark(settings.force_text), settings.job.walkers.forces);
   if (!settings.force_header->input.empty()) HeaderTaking(line, settings).take();
 }
 
@@ -151,10 +161,10 @@ void check_force_header(const RunSettings& settings, const Molecule& molecule, c
   if (header.structure && *header.structure != molecule.fingerprint)
     what = "structure: with fingerprint " + fingerprint_text(*header.structure) + ", not " +
            fingerprint_text(molecule.fingerprint) + " as of " +
-           printable_name(settings.molecule.file);
+           printable_name(settings.job.molecule.input.file);
   if (what.empty()) return;
-  what = printable_name(settings.forces) + ": was made for another " + what;
-  if (!settings.override_forces)
+  what = printable_name(settings.job.walkers.forces) + ": was made for another " + what;
+  if (!settings.job.walkers.override_forces)
     throw InputError(what + "; --override-forces replays it all the same");
   log.warn(what);
 }

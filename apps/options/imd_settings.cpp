@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "interrupt.hpp"
+#include "options/option_fields.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 
@@ -17,6 +17,30 @@ namespace {
 
 /// Seconds; beyond it a time in nanoseconds would not fit.
 constexpr double longest_timeout = 1e9;
+
+template <auto Member>
+constexpr auto at = place_at<ImdSettings, Member>;
+
+const OptionField<ImdSettings> table[] = {
+    {{.name = "imd_host",
+      .summary = "accept clients from other machines; IMD has no passwords",
+      .kind = "HOST"},
+     at<&ImdSettings::host>},
+    {{.name = "imd_version", .summary = "2 for VMD, 3 for MDAnalysis", .least = 2, .largest = 3},
+     at<&ImdSettings::version>},
+    {{.name = "imd_wait",
+      .summary = "run only while a client is connected, and no faster than clients read"},
+     at<&ImdSettings::wait>},
+    {{.name = "imd_every",
+      .summary = "send every N-th step, unless the client asks for another rate",
+      .range = Range::positive},
+     at<&ImdSettings::every>},
+    {{.name = "imd_timeout",
+      .summary = "drop a client that reads nothing for this many seconds",
+      .range = Range::positive},
+     at<&ImdSettings::timeout>},
+    {{.name = "imd_kill", .summary = "let clients end the run (KILL)"}, at<&ImdSettings::kill>},
+};
 
 ImdOptions options_of(const ImdSettings& settings, const RunOptions& run, const Log& log) {
   ImdOptions options;
@@ -41,23 +65,17 @@ void add_imd_options(CommandLine& line, ImdSettings& settings) {
   line.add_optional_integer("--imd", settings.is_asked, settings.port, 0, 65535, "PORT",
                             "let VMD, MDAnalysis or pliant watch follow the run and pull;\n"
                             "0: any free port, which is printed");
-  line.add_text("--imd-host", settings.host, "HOST",
-                "accept clients from other machines; IMD has no passwords");
-  line.add_integer("--imd-version", settings.version, 2, 3, "2 for VMD, 3 for MDAnalysis");
-  line.add_flag("--imd-wait", settings.wait,
-                "run only while a client is connected, and no faster than clients read");
-  line.add_integer("--imd-every", settings.every, 1, std::numeric_limits<std::int64_t>::max(),
-                   "send every N-th step, unless the client asks for another rate");
-  line.add_real("--imd-timeout", settings.timeout, Range::positive,
-                "drop a client that reads nothing for this many seconds");
-  line.add_flag("--imd-kill", settings.kill, "let clients end the run (KILL)");
+  for (const OptionField<ImdSettings>& field : table)
+    add_option(line, field, field.place(settings));
 }
 
-void check_imd(const CommandLine& line, ImdSettings& settings, bool has_walkers) {
-  for (const char* option :
-       {"--imd-host", "--imd-version", "--imd-wait", "--imd-every", "--imd-timeout", "--imd-kill"})
+void check_imd(const CommandLine& line, const ImdSettings& settings, bool has_walkers) {
+  for (const OptionField<ImdSettings>& field : table) {
+    const std::string option = option_name(field.name);
     if (line.was_given(option) && !settings.is_asked)
-      throw OptionError(std::string(option) + ": goes with --imd");
+      throw OptionError(option + ": goes with --imd");
+    check_option(field, field.place(places_of(settings)));
+  }
   if (settings.is_asked && has_walkers) throw OptionError("--imd: follows one walker, not several");
 }
 

@@ -26,7 +26,7 @@ struct ImdSettings {
 void add_imd_options(CommandLine& line, ImdSettings& settings);
 
 /// Throws OptionError for options that exclude each other; `has_walkers`: there are several.
-void check_imd(const CommandLine& line, ImdSettings& settings, bool has_walkers);
+void check_imd(const CommandLine& line, const ImdSettings& settings, bool has_walkers);
 
 /// A run that clients follow and pull on.
 class LiveRun {

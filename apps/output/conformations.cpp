@@ -15,11 +15,10 @@ std::string ring_names(const Framework& framework, const std::vector<Joint>& ato
 
 }  // namespace
 
-std::optional<Conformations> conformations_of(const SampleSettings& settings,
-                                              const SampledSystem& system) {
-  if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
+std::optional<Conformations> conformations_of(const Job& job, const SampledSystem& system) {
+  if (find_sampler(job.sample.sampler).has_amplitude) return std::nullopt;
   const Framework& framework = system.framework;
-  const ConformerMoves may_move = conformer_moves(settings.sample);
+  const ConformerMoves may_move = conformer_moves(job.sample);
   const auto plan = conformer_plan(framework, system.start, may_move);
   if (!plan) return std::nullopt;
   const TorsionMoves moves(framework, *plan, system.start, may_move);

@@ -18,7 +18,6 @@ struct Conformations {
 };
 
 /// Nothing for a sampler that goes along modes.
-std::optional<Conformations> conformations_of(const SampleSettings& settings,
-                                              const SampledSystem& system);
+std::optional<Conformations> conformations_of(const Job& job, const SampledSystem& system);
 
 }  // namespace pliant::app

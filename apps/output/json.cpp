@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "pliant/base/error.hpp"
+
 namespace pliant::app {
 
 struct Json::Value {
@@ -50,6 +52,36 @@ Json Json::operator+(const Json& other) const {
 
 std::string Json::text(int indent) const {
   return value_->json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+namespace {
+
+JsonMember member_of(const nlohmann::json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX)
+    return value.get<std::uint64_t>();
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (value.is_number()) return value.get<double>();
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.empty() && value[0].is_array())
+    return value.get<std::vector<std::vector<std::string>>>();
+  return value.get<std::vector<std::string>>();
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, JsonMember>> members_of(std::string_view text,
+                                                           const std::string& file) {
+  std::vector<std::pair<std::string, JsonMember>> members;
+  try {
+    const auto object = nlohmann::ordered_json::parse(text);
+    if (!object.is_object()) throw InputError(file + ": expected a JSON object");
+    for (const auto& [name, value] : object.items())
+      if (!value.is_null()) members.emplace_back(name, member_of(value));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file + ": expected a JSON object of options: " + error.what());
+  }
+  return members;
 }
 
 void print_json(const Json& json) { std::puts(json.text(2).c_str()); }

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace pliant::app {
@@ -57,6 +58,15 @@ class Json {
 
   std::shared_ptr<const Value> value_;
 };
+
+/// What a member of a flat JSON object may be.
+using JsonMember = std::variant<bool, std::int64_t, std::uint64_t, double, std::string,
+                                std::vector<std::string>, std::vector<std::vector<std::string>>>;
+
+/// The members of a JSON object whose values are no objects; null is left out. Throws InputError
+/// naming `file` and what was expected.
+std::vector<std::pair<std::string, JsonMember>> members_of(std::string_view text,
+                                                           const std::string& file);
 
 /// Prints to standard output, with two spaces a level.
 void print_json(const Json& json);

@@ -16,11 +16,11 @@ namespace {
 /// The files of the walkers that were begun: each shows at least its start, or has no more to do.
 std::vector<std::string> outputs_of(const RunSettings& settings,
                                     const std::vector<RunSummary>& summaries) {
-  if (settings.one_file) return {settings.output};
+  if (settings.job.walkers.one_file) return {settings.job.output.output};
   std::vector<std::string> outputs;
   for (std::size_t k = 0; k < summaries.size(); ++k)
     if (summaries[k].frames > 0 || !summaries[k].stopped_by_caller)
-      outputs.push_back(output_of(settings, settings.first_walker + std::int64_t(k)));
+      outputs.push_back(output_of(settings, settings.job.walkers.first + std::int64_t(k)));
   return outputs;
 }
 
@@ -62,12 +62,12 @@ std::string unconverged_text(const RunSummary& summary, std::int64_t starts) {
 Json run_json(const RunSettings& settings, const Framework& framework,
               const std::vector<RunSummary>& summaries, const std::vector<std::string>& warnings) {
   const RunSummary summary = added_up(summaries);
-  return {{"input", settings.molecule.file},
+  return {{"input", settings.job.molecule.input.file},
           {"outputs", outputs_of(settings, summaries)},
-          {"topology", settings.topology},
-          {"technique", settings.run.technique.name},
-          {"technique_used", technique_used(framework, settings.run.technique).name},
-          {"weighting", settings.run.technique.weighting},
+          {"topology", settings.job.output.topology},
+          {"technique", settings.job.run.technique.name},
+          {"technique_used", technique_used(framework, settings.job.run.technique).name},
+          {"weighting", settings.job.run.technique.weighting},
           {"atoms", framework.joint_count()},
           {"bars", framework.bar_count()},
           {"steps", summary.steps},
@@ -93,7 +93,7 @@ Json run_json(const RunSettings& settings, const Framework& framework,
 Json forces_json(const RunSettings& settings) {
   std::vector<std::pair<std::string, Json>> taken;
   for (const auto& [name, value] : settings.taken_from_forces) taken.emplace_back(name, value);
-  return {{"forces", Json{{"file", settings.forces}, {"taken", Json::object(taken)}}}};
+  return {{"forces", Json{{"file", settings.job.walkers.forces}, {"taken", Json::object(taken)}}}};
 }
 
 /// "a.forces: model protein, timestep 0.01".
@@ -101,7 +101,7 @@ std::string forces_text(const RunSettings& settings) {
   std::string text;
   for (const auto& [name, value] : settings.taken_from_forces)
     text += fmt::format("{} {} {}", text.empty() ? ":" : ",", name, printable_name(value));
-  return printable_name(settings.forces) + text;
+  return printable_name(settings.job.walkers.forces) + text;
 }
 
 Json served_json(const ImdSummary& served) {
@@ -112,8 +112,9 @@ Json served_json(const ImdSummary& served) {
 
 /// What the count of frames includes; a run that goes on has its start in the file already.
 const char* with_the_start(const RunSettings& settings) {
-  if (!settings.go_on.empty()) return "";
-  return is_ensemble(settings) ? ", with the start of each walker" : ", with the start";
+  if (!settings.job.go_on.empty()) return "";
+  return settings.job.walkers.are_several() ? ", with the start of each walker"
+                                            : ", with the start";
 }
 
 }  // namespace
@@ -130,8 +131,8 @@ int exit_code_of(const RunSummary& summary) {
 }
 
 void print_forces(const RunSettings& settings) {
-  if (!settings.force_header || settings.quiet) return;
-  if (settings.json) return print_json(forces_json(settings));
+  if (!settings.force_header || settings.printing.quiet) return;
+  if (settings.printing.json) return print_json(forces_json(settings));
   fmt::print("force file      {}\n", forces_text(settings));
 }
 
@@ -139,7 +140,7 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
                      const std::vector<RunSummary>& summaries) {
   const RunSummary summary = added_up(summaries);
   print_forces(settings);
-  fmt::print("technique       {}\n", technique_line(settings.run.technique, framework));
+  fmt::print("technique       {}\n", technique_line(settings.job.run.technique, framework));
   fmt::print("steps           {}; {} frames recorded{}\n", summary.steps, summary.frames,
              with_the_start(settings));
   fmt::print("sweeps per step {:.1f} on average, {} at most\n", summary.mean_sweeps(),
@@ -151,8 +152,8 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
   if (summary.unconverged_steps > 0)
     fmt::print("not converged   {}\n", unconverged_text(summary, starts_left_broken(summaries)));
   if (summary.stopped_by_caller) fmt::print("stopped early; all recorded frames are complete\n");
-  if (settings.topology != "none")
-    fmt::print("topology        {}\n", printable_name(settings.topology));
+  if (settings.job.output.topology != "none")
+    fmt::print("topology        {}\n", printable_name(settings.job.output.topology));
   for (const std::string& output : outputs_of(settings, summaries))
     fmt::print("trajectory      {}\n", printable_name(output));
 }
@@ -178,7 +179,7 @@ void print_run_json(const RunSettings& settings, const Framework& framework,
   Json json = run_json(settings, framework, summaries, warnings);
   if (settings.force_header) json = json + forces_json(settings);
   if (served) json = json + served_json(*served);
-  print_json(settings.guide.empty() ? json : json + end.json());
+  print_json(settings.job.guide.empty() ? json : json + end.json());
 }
 
 }  // namespace pliant::app

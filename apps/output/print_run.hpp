@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "options/run_settings.hpp"
+#include "output/guide_end.hpp"
 #include "pliant/run/run.hpp"
 
 namespace pliant::app {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "output/conformations.hpp"
-#include "output/frame_output.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/jobs/output_options.hpp"
 
 namespace pliant::app {
 namespace {
@@ -18,15 +18,15 @@ void print_line(std::string_view label, std::string_view text) {
   fmt::print("{:<15} {}\n", label, text);
 }
 
-std::string molecule_text(const SampleSettings& settings, const SampledSystem& system) {
+std::string molecule_text(const Job& job, const SampledSystem& system) {
   const AtomTable* atoms = system.framework.atoms().get();
-  std::string text = fmt::format("{}: {}", printable_name(settings.molecule.file),
+  std::string text = fmt::format("{}: {}", printable_name(job.molecule.input.file),
                                  numbered(system.framework.joint_count(), "atom"));
   if (atoms != nullptr && atoms->residues.size() > 1)
     text += " in " + numbered(atoms->residues.size(), "residue");
   if (system.placed > 0)
     text += fmt::format(", {} of them{} placed by rule", system.placed,
-                        settings.molecule.kind.fill_side_chains ? "" : " hydrogens");
+                        job.molecule.model.fill_side_chains ? "" : " hydrogens");
   return text;
 }
 
@@ -57,9 +57,9 @@ std::string draws_text(const SampleSummary& summary) {
   return text + ".";
 }
 
-std::string frames_text(const SampleSettings& settings, const SampleSummary& summary) {
+std::string frames_text(const Job& job, const SampleSummary& summary) {
   std::string text = fmt::format("{}{} by sampler {}", summary.frames,
-                                 settings.go_on.empty() ? "" : " added", settings.sample.sampler);
+                                 job.go_on.empty() ? "" : " added", job.sample.sampler);
   if (summary.near_frames > 0 && summary.near_frames < summary.frames)
     text += fmt::format(": {} around the structure, {} that go further", summary.near_frames,
                         summary.frames - summary.near_frames);
@@ -84,27 +84,26 @@ std::string next_text(const std::string& output) {
 
 }  // namespace
 
-void print_sample_lines(const SampleSettings& settings, const SampledSystem& system,
-                        const SampleSummary& summary) {
-  print_line("molecule", molecule_text(settings, system));
+void print_sample_lines(const Job& job, const SampledSystem& system, const SampleSummary& summary) {
+  print_line("molecule", molecule_text(job, system));
   if (!system.left_out.empty())
     print_line("left out", fmt::format("{}", fmt::join(system.left_out, "; ")));
-  if (const auto conformations = conformations_of(settings, system))
+  if (const auto conformations = conformations_of(job, system))
     print_line("moves", moving_text(*conformations));
   else if (system.contacts > 0)
     print_line("contacts", fmt::format("{} held{}{}", system.contacts,
                                        system.kinds.empty() ? "" : ": ", system.kinds));
-  if (const auto residues = pocket_of(settings, system); !residues.empty())
+  if (const auto residues = pocket_of(job, system); !residues.empty())
     print_line("pocket", fmt::format("{}: {}", numbered(residues.size(), "residue"),
                                      fmt::join(residues, ", ")));
-  print_line("frames", frames_text(settings, summary));
+  print_line("frames", frames_text(job, summary));
   print_line("quality", quality_text(summary));
-  const bool has_topology = settings.topology != "none";
-  print_line(
-      "written",
-      fmt::format("{}{}{}, in {:.1f} s", printable_name(settings.output), has_topology ? ", " : "",
-                  has_topology ? printable_name(settings.topology) : "", summary.seconds));
-  print_line("next", next_text(settings.output));
+  const bool has_topology = job.output.topology != "none";
+  print_line("written",
+             fmt::format("{}{}{}, in {:.1f} s", printable_name(job.output.output),
+                         has_topology ? ", " : "",
+                         has_topology ? printable_name(job.output.topology) : "", summary.seconds));
+  print_line("next", next_text(job.output.output));
 }
 
 }  // namespace pliant::app

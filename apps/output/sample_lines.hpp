@@ -8,7 +8,6 @@ namespace pliant::app {
 
 /// At most seven lines: molecule, what was left out, contacts, frames, how good they are, where
 /// they are, and what to do next.
-void print_sample_lines(const SampleSettings& settings, const SampledSystem& system,
-                        const SampleSummary& summary);
+void print_sample_lines(const Job& job, const SampledSystem& system, const SampleSummary& summary);
 
 }  // namespace pliant::app

@@ -42,7 +42,7 @@ void print_conformations(const Conformations& found) {
   fmt::print("                conformers show what is possible; how often is not claimed\n");
 }
 
-void print_amplitude(const SampleSettings& settings, const SampleSummary& summary) {
+void print_amplitude(const SampledSystem& system, const SampleSummary& summary) {
   if (summary.near_frames < summary.frames)
     fmt::print(
         "                {} around the structure, as amplitude and RMSF are; {} go further\n",
@@ -51,7 +51,7 @@ void print_amplitude(const SampleSettings& settings, const SampleSummary& summar
   if (summary.amplitude_asked > 0.0) {
     fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
                summary.amplitude_asked, summary.amplitude_reached);
-    fmt::print("                asked: {}\n", printable_name(settings.chosen_amplitude.reason));
+    fmt::print("                asked: {}\n", printable_name(system.amplitude.reason));
   } else {
     fmt::print("amplitude       {:.2f} A: how far domains turn is drawn\n",
                summary.amplitude_reached);
@@ -86,17 +86,15 @@ std::vector<Json> numbers(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
-void print_table(const SampleSettings& settings, const SampledSystem& system,
-                 const SampleSummary& summary) {
+void print_table(const Job& job, const SampledSystem& system, const SampleSummary& summary) {
   fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", system.kind,
              system.framework.joint_count(), system.framework.bar_count(), system.contacts);
-  const auto conformations = conformations_of(settings, system);
-  const std::string network = conformations ? "" : ", network " + settings.sample.network;
+  const auto conformations = conformations_of(job, system);
+  const std::string network = conformations ? "" : ", network " + job.sample.network;
   fmt::print("frames          {}{}, sampler {}{}, seed {}\n", summary.frames,
-             settings.go_on.empty() ? "" : " added", settings.sample.sampler, network,
-             settings.sample.seed);
-  conformations ? print_conformations(*conformations) : print_amplitude(settings, summary);
-  if (const auto residues = pocket_of(settings, system); !residues.empty())
+             job.go_on.empty() ? "" : " added", job.sample.sampler, network, job.sample.seed);
+  conformations ? print_conformations(*conformations) : print_amplitude(system, summary);
+  if (const auto residues = pocket_of(job, system); !residues.empty())
     fmt::print("pocket          {} residues: {}\n", residues.size(), listed(residues));
   if (summary.near_frames > 0)
     fmt::print(
@@ -112,30 +110,30 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
   if (summary.failed > 0)
     fmt::print("not resolved    {} frames, which are left out\n", summary.failed);
   if (summary.stopped_by_caller) fmt::print("stopped early; all recorded frames are complete\n");
-  if (settings.topology != "none")
-    fmt::print("topology        {}\n", printable_name(settings.topology));
-  fmt::print("trajectory      {}\n", printable_name(settings.output));
+  if (job.output.topology != "none")
+    fmt::print("topology        {}\n", printable_name(job.output.topology));
+  fmt::print("trajectory      {}\n", printable_name(job.output.output));
 }
 
-void print_json_of(const SampleSettings& settings, const SampledSystem& system,
-                   const SampleSummary& summary, const std::vector<std::string>& warnings) {
-  const Conformations moving = conformations_of(settings, system).value_or(Conformations{});
-  const Json json{{"input", settings.molecule.file},
-                  {"output", settings.output},
-                  {"topology", settings.topology},
+void print_json_of(const Job& job, const SampledSystem& system, const SampleSummary& summary,
+                   const std::vector<std::string>& warnings) {
+  const Conformations moving = conformations_of(job, system).value_or(Conformations{});
+  const Json json{{"input", job.molecule.input.file},
+                  {"output", job.output.output},
+                  {"topology", job.output.topology},
                   {"model", system.kind},
                   {"atoms", system.framework.joint_count()},
                   {"bars", system.framework.bar_count()},
                   {"contacts", system.contacts},
-                  {"sampler", settings.sample.sampler},
-                  {"network", settings.sample.network},
+                  {"sampler", job.sample.sampler},
+                  {"network", job.sample.network},
                   {"frames", summary.frames},
                   {"near_frames", summary.near_frames},
                   {"amplitude_asked", summary.amplitude_asked},
                   {"amplitude_reached", summary.amplitude_reached},
                   {"amplitude_is_input", true},
-                  {"amplitude_from", settings.chosen_amplitude.source},
-                  {"amplitude_reason", settings.chosen_amplitude.reason},
+                  {"amplitude_from", system.amplitude.source},
+                  {"amplitude_reason", system.amplitude.reason},
                   {"rotors", moving.rotors},
                   {"rings", moving.rings},
                   {"rigid_rings", moving.rigid_rings},
@@ -143,7 +141,7 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"amides", moving.amides},
                   {"atropisomers", moving.atropisomers},
                   {"loop_units", moving.loop_bodies},
-                  {"pocket", pocket_of(settings, system)},
+                  {"pocket", pocket_of(job, system)},
                   {"let_go_mean", summary.mean_let_go},
                   {"redrawn", summary.redrawn},
                   {"rescued", summary.rescued},
@@ -169,18 +167,18 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
 
 }  // namespace
 
-std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system) {
-  if (settings.sample.around.empty()) return {};
-  const auto joints = select_joints(system.framework, settings.sample.around, "--around");
+std::vector<std::string> pocket_of(const Job& job, const SampledSystem& system) {
+  if (job.sample.around.empty()) return {};
+  const auto joints = select_joints(system.framework, job.sample.around, "--around");
   return pliant::names_of(pocket_around(system.framework, system.start, joints), system.framework);
 }
 
-void print_sample(const SampleSettings& settings, const SampledSystem& system,
+void print_sample(const Printing& printing, const Job& job, const SampledSystem& system,
                   const SampleSummary& summary, const std::vector<std::string>& warnings) {
-  if (settings.json) {
-    print_json_of(settings, system, summary, warnings);
-  } else if (!settings.quiet) {
-    (settings.verbose ? print_table : print_sample_lines)(settings, system, summary);
+  if (printing.json) {
+    print_json_of(job, system, summary, warnings);
+  } else if (!printing.quiet) {
+    (printing.verbose ? print_table : print_sample_lines)(job, system, summary);
   }
 }
 

@@ -1,18 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "option_fields.hpp"
 
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/variant.h>
 
 #include <cctype>
+#include <filesystem>
+#include <optional>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "refusals.hpp"
 
 namespace pliant::python {
 
+namespace {
+
+constexpr const char* names_type = "collections.abc.Sequence[str]";
+
+/// The text of what a script may give where it is no text: a number, a path, nothing.
+std::optional<std::string> text_from(nb::handle value) {
+  if (value.is_none()) return "";
+  if (nb::isinstance<nb::float_>(value)) return shortest_text(nb::cast<double>(value));
+  if (nb::isinstance<nb::int_>(value) && !nb::isinstance<nb::bool_>(value))
+    return nb::cast<std::string>(nb::str(value));
+  if (nb::hasattr(value, "__fspath__")) return path_text(nb::cast<std::filesystem::path>(value));
+  return std::nullopt;
+}
+
+/// "int | str | None", or the type of the place.
+std::string type_of(const OptionFacts& facts, OptionPlace place) {
+  return facts.type_in_python.empty() ? python_type(place) : std::string(facts.type_in_python);
+}
+
+/// The default, as Python writes it.
+std::string usual_text(const OptionFacts& facts, OptionPlace place) {
+  if (facts.type_in_python.ends_with("None")) return "None";
+  if (std::holds_alternative<OptionNames*>(place)) return "()";
+  return nb::cast<std::string>(nb::repr(value_of(place)));
+}
+
+}  // namespace
+
 const char* python_type(OptionPlace place) {
-  constexpr const char* types[] = {"bool", "int", "int", "float", "str"};
+  constexpr const char* types[] = {"bool",
+                                   "int",
+                                   "int",
+                                   "float",
+                                   "str",
+                                   names_type,
+                                   "collections.abc.Sequence[collections.abc.Sequence[str]]"};
   return types[place.index()];
 }
 
@@ -31,7 +69,11 @@ void take_value(const OptionFacts& facts, OptionPlace place, nb::handle value) {
   std::visit(
       [&](auto* to) {
         using Value = std::remove_pointer_t<decltype(to)>;
-        const char* type = python_type(place);
+        const std::string types = type_of(facts, place);
+        const char* type = types.c_str();
+        if constexpr (std::is_same_v<Value, std::string>)
+          if (!facts.type_in_python.empty())
+            if (const auto text = text_from(value)) return void(*to = *text);
         if constexpr (std::is_same_v<Value, std::int64_t>)
           *to = argument_as<Value>(facts.name, value, type, facts.range == Range::positive ? 1 : 0);
         else
@@ -50,13 +92,13 @@ std::string literal_type(const std::vector<std::string_view>& names) {
 std::string argument_text(const OptionFacts& facts, OptionPlace place) {
   const std::string name(facts.name);
   if (!facts.unset_means.empty()) return name + ": " + python_type(place) + " | None = None";
-  std::string type = python_type(place);
+  std::string type = type_of(facts, place);
   if (facts.choices != nullptr) {
     std::vector<std::string_view> names = facts.choices();
     if (!facts.automatic.empty()) names.insert(names.begin(), facts.automatic);
     type = literal_type(names);
   }
-  return name + ": " + type + " = " + nb::cast<std::string>(nb::repr(value_of(place)));
+  return name + ": " + type + " = " + usual_text(facts, place);
 }
 
 std::string argument_doc(const OptionFacts& facts, OptionPlace place) {
@@ -64,7 +106,10 @@ std::string argument_doc(const OptionFacts& facts, OptionPlace place) {
   std::string text = docstring(is_same ? facts.summary : facts.in_python);
   for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
     text.insert(at + 1, "    ");
-  return std::string(facts.name) + " : " + python_type(place) + "\n    " + text + "\n";
+  std::string type = type_of(facts, place);
+  if (type == names_type) type = "sequence of str";
+  if (type.ends_with(" | None")) type = type.substr(0, type.size() - 7) + ", optional";
+  return std::string(facts.name) + " : " + type + "\n    " + text + "\n";
 }
 
 nb::dict row_of(const OptionFacts& facts, OptionPlace place) {
@@ -73,9 +118,18 @@ nb::dict row_of(const OptionFacts& facts, OptionPlace place) {
   row["help"] = facts.summary;
   row["type"] = python_type(place);
   row["default"] = value_of(place);
-  if (facts.choices != nullptr) row["choices"] = nb::cast(facts.choices());
+  row["group"] = facts.group;
+  row["kind"] = facts.kind;
+  if (!facts.opposite.empty()) row["opposite"] = facts.opposite;
+  if (facts.words > 0) row["words"] = facts.words;
+  if (facts.is_file) row["is_file"] = true;
+  if (facts.choices != nullptr) {
+    std::vector<std::string_view> names = facts.choices();
+    if (!facts.automatic.empty()) names.insert(names.begin(), facts.automatic);
+    row["choices"] = nb::cast(names);
+  }
   if (std::holds_alternative<std::int64_t*>(place)) {
-    row["least"] = facts.range == Range::positive ? 1 : 0;
+    row["least"] = least_taken(facts);
     row["most"] = largest_taken(facts);
   }
   return row;

@@ -39,6 +39,11 @@ struct Put {
     if (!value.is_number()) refuse(field, value, "a number");
     *place = value.get<double>();
   }
+  void operator()(OptionGroups*) const { refuse(field, value, "what the page can set"); }
+  void operator()(OptionNames* place) const {
+    if (!value.is_array()) refuse(field, value, "a list of names");
+    *place = value.get<OptionNames>();
+  }
   void operator()(std::string* place) const {
     if (!value.is_string()) refuse(field, value, "a name");
     *place = value.get<std::string>();

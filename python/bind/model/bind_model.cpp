@@ -28,13 +28,14 @@ void refuse_left(const char* function, const nb::object& molecule, const nb::dic
 Preparation prepare_structure(const nb::object& molecule, bool add_hydrogens,
                               const nb::kwargs& more) {
   nb::dict given(more);
-  AskedModel asked = take_arguments(preparation_arguments(), given);
+  AskedModel asked = take_arguments(ModelArguments::preparation, given);
   refuse_left("prepare", molecule, given);
-  asked.options.prepare.add_hydrogens = add_hydrogens;
   const nb::object part = part_from(molecule, asked);
   const auto& structure = nb::cast<const Structure&>(part);
+  PrepareOptions options = model_options_of(asked.model, ModelKind::protein, python_log()).prepare;
+  options.add_hydrogens = add_hydrogens;
   const nb::gil_scoped_release no_gil;
-  return prepare(structure, asked.options.prepare);
+  return prepare(structure, options);
 }
 
 /// Without hydrogens, hydrogen bonds are not found.
@@ -61,15 +62,14 @@ nb::object contacts_of(const nb::object& molecule, double hbond_cutoff,
 MolecularModel model_of(const nb::object& molecule, const std::string& model,
                         const std::string& pin, const nb::kwargs& more) {
   nb::dict given(more);
-  AskedModel asked = take_arguments(model_arguments(), given);
+  AskedModel asked = take_arguments(ModelArguments::all, given);
   refuse_left("build_model", molecule, given);
-  asked.options.kind = choose(models(), "model", model).kind;
-  refuse_unused(asked, asked.options.kind);
-  asked.options.pin = pin;
+  ModelOptions options = options_of(asked, choose(models(), "model", model).kind);
+  options.pin = pin;
   const nb::object part = part_from(molecule, asked);
   const auto& structure = nb::cast<const Structure&>(part);
   const nb::gil_scoped_release no_gil;
-  return build_model(structure, asked.options);
+  return build_model(structure, options);
 }
 
 std::vector<std::int64_t> origins_of(const Preparation& self) {
@@ -190,9 +190,9 @@ void bind_preparation(nb::module_& module) {
       .def_ro("left_out", &Preparation::left_out, "What was taken out, as ``188 waters``.");
   const std::string signature = "def prepare(structure: " + std::string(any_molecule) +
                                 ", *, add_hydrogens: bool = True, " +
-                                argument_texts(preparation_arguments()) + ") -> Preparation";
+                                argument_texts(ModelArguments::preparation) + ") -> Preparation";
   const std::string doc =
-      prepare_doc + argument_docs(preparation_arguments()) + prepare_refusals_doc;
+      prepare_doc + argument_docs(ModelArguments::preparation) + prepare_refusals_doc;
   module.def("prepare", &prepare_structure, "structure"_a.none(), nb::kw_only(),
              "add_hydrogens"_a = true, "options"_a, nb::sig(signature.c_str()), doc.c_str());
 }
@@ -274,8 +274,8 @@ void bind_model(nb::module_& module) {
   const std::string signature = "def build_model(structure: " + any +
                                 ", model: " + literal_type(names_of(models())) +
                                 " = \"protein\", *, pin: str = \"\", " +
-                                argument_texts(model_arguments()) + ") -> MolecularModel";
-  const std::string doc = build_doc + argument_docs(model_arguments()) + build_refusals_doc;
+                                argument_texts(ModelArguments::all) + ") -> MolecularModel";
+  const std::string doc = build_doc + argument_docs(ModelArguments::all) + build_refusals_doc;
   module.def("build_model", &model_of, "structure"_a.none(), "model"_a = "protein", nb::kw_only(),
              "pin"_a = "", "options"_a, nb::sig(signature.c_str()), doc.c_str());
 }

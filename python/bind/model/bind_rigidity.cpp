@@ -36,16 +36,17 @@ ContactModel contact_model_from(const nb::handle& argument, AskedModel asked) {
   if (nb::isinstance<MolecularModel>(argument)) {
     const auto& model = nb::cast<const MolecularModel&>(argument);
     refuse_for_built_model(asked, "contacts");
-    std::optional<std::vector<MolecularContact>> contacts = std::move(asked.options.contacts);
-    if (!asked.options.contacts_file.empty())
-      contacts = read_contacts(path_of(asked.options.contacts_file), model.structure);
+    std::optional<std::vector<MolecularContact>> contacts = std::move(asked.contacts);
+    if (!asked.model.contacts.empty())
+      contacts = read_contacts(path_of(asked.model.contacts), model.structure);
     return {model.structure, contacts ? *contacts : model.contacts, model.notes, model.missing,
             model.left_out};
   }
   const nb::object part = part_from(argument, asked);
   const auto& structure = nb::cast<const Structure&>(part);
+  const ModelOptions options = options_of(std::move(asked), ModelKind::protein);
   const nb::gil_scoped_release no_gil;
-  return contact_model(structure, asked.options);
+  return contact_model(structure, options);
 }
 
 MoleculeRigidity rigidity_of(const nb::handle& structure, const nb::kwargs& more) {
@@ -53,7 +54,7 @@ MoleculeRigidity rigidity_of(const nb::handle& structure, const nb::kwargs& more
   nb::dict given(more);
   RigidityAsked counting;
   take_values(rigidity_fields(), given, counting);
-  AskedModel asked = take_arguments(contact_arguments(), given);
+  AskedModel asked = take_arguments(ModelArguments::contacts, given);
   refuse_unknown(nb::module_::import_("pliant._core").attr("rigidity"), nb::make_tuple(structure),
                  given);
   ContactModel model = contact_model_from(structure, std::move(asked));
@@ -343,9 +344,9 @@ void bind_rigidity(nb::module_& module) {
   });
   const std::string signature =
       "def rigidity(structure: MolecularModel | " + std::string(any_molecule) + ", *, " +
-      argument_texts(contact_arguments()) + ", " +
+      argument_texts(ModelArguments::contacts) + ", " +
       argument_texts(rigidity_fields(), RigidityAsked()) + ") -> Rigidity";
-  const std::string doc = rigidity_doc + argument_docs(contact_arguments()) +
+  const std::string doc = rigidity_doc + argument_docs(ModelArguments::contacts) +
                           argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
   module.def("rigidity", &rigidity_of, "structure"_a.none(), "options"_a,
              nb::sig(signature.c_str()), doc.c_str());

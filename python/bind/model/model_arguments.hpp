@@ -1,56 +1,44 @@
 // SPDX-License-Identifier: MIT
-// The keyword arguments of the model of a molecule: what of it is taken, its preparation, contacts.
+// The keyword arguments of the model of a molecule: rows of input_fields() and model_fields().
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bind.hpp"
-#include "pliant/model/model.hpp"
+#include "pliant/jobs/input_options.hpp"
+#include "pliant/jobs/model_asked.hpp"
 
 namespace pliant::python {
 
+/// Which arguments a function has: those of preparation, of contacts too, of samples too.
+enum class ModelArguments : std::uint8_t { preparation, contacts, all };
+
 /// What such arguments say.
 struct AskedModel {
-  ModelOptions options = {};
-  std::string select = {};              ///< "": all atoms
-  nb::object assembly = nb::none();     ///< None: as the file has it
-  std::vector<std::string> given = {};  ///< names of the arguments that are not empty
+  InputOptions input = {};
+  ModelAsked model = {};
+  std::optional<std::vector<MolecularContact>> contacts = {};  ///< given as an array
 };
-
-/// One argument.
-struct ModelArgument {
-  const char* name;
-  const char* type;   ///< "bool"
-  const char* usual;  ///< the default, as Python writes it
-  const char* doc;
-  /// False where the value is not of the type.
-  bool (*take)(AskedModel& asked, nb::handle value);
-  bool ModelEntry::*use = nullptr;  ///< what a model must have to heed it; null: any model does
-};
-
-/// Those of functions that prepare a structure; those that find contacts besides; all.
-std::span<const ModelArgument> preparation_arguments();
-std::span<const ModelArgument> contact_arguments();
-std::span<const ModelArgument> model_arguments();
 
 /// "keep_waters: bool = False, ...", as signatures have them.
-std::string argument_texts(std::span<const ModelArgument> arguments);
+std::string argument_texts(ModelArguments which);
 
 /// Their lines in a docstring.
-std::string argument_docs(std::span<const ModelArgument> arguments);
+std::string argument_docs(ModelArguments which);
 
-/// Takes them from `given`, and leaves what is another argument or not of its type.
-AskedModel take_arguments(std::span<const ModelArgument> arguments, nb::dict given);
+/// Takes them from `given`, and leaves what is another argument. Raises as take_values().
+AskedModel take_arguments(ModelArguments which, nb::dict given);
 
 /// As `structure_from`, of the assembly and atoms that are asked for.
 nb::object part_from(nb::handle argument, const AskedModel& asked);
 
+/// How a model of that kind is built. Throws OptionError for an argument that it has no use for.
+ModelOptions options_of(AskedModel asked, ModelKind kind);
+
 /// Throws OptionError for an argument that is not `allowed`: of a model nothing is left to choose.
 void refuse_for_built_model(const AskedModel& asked, std::string_view allowed = {});
-
-/// Throws OptionError for an argument that a model of this kind has no use for.
-void refuse_unused(const AskedModel& asked, ModelKind kind);
 
 }  // namespace pliant::python

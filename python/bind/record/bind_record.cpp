@@ -8,11 +8,12 @@
 #include "locked.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/version.hpp"
+#include "pliant/jobs/molecule_header.hpp"
 #include "pliant/jobs/recorded_run.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/run/run.hpp"
-#include "record/recorded_bonds.hpp"
 
 namespace pliant::python {
 
@@ -55,7 +56,8 @@ void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    const nb::dict& parameters, bool single, bool compress, double precision,
                    const std::string& save, bool overwrite, double flush_seconds, bool durable,
                    const RunOptions* run) {
-  H5mdHeader header = header_of(structure);
+  H5mdHeader header = structure != nullptr ? molecule_header(*structure) : H5mdHeader();
+  header.creator_version = version();
   header.parameters = parameters_from(parameters);
   if (run != nullptr) header.inputs = run_inputs(*run);
   const H5mdOptions options{.single = single,

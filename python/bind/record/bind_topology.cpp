@@ -6,13 +6,13 @@
 #include "checks.hpp"
 #include "framework/frame.hpp"
 #include "messages.hpp"
+#include "pliant/jobs/molecule_header.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/record/pdb_recorder.hpp"
 #include "pliant/record/topology_pdb.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
 #include "pliant/record/xml/write_graph_xml.hpp"
-#include "record/recorded_bonds.hpp"
 
 namespace pliant::python {
 

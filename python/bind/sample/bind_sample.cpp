@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sampling: ways to move, and ensembles of frames.
-#include <algorithm>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "interrupt.hpp"
@@ -10,143 +8,114 @@
 #include "model/model_arguments.hpp"
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
-#include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
-#include "pliant/jobs/asked_amplitude.hpp"
-#include "pliant/jobs/recorded_sample.hpp"
-#include "pliant/jobs/sample_task.hpp"
-#include "pliant/model/model.hpp"
-#include "pliant/model/prepare/largest_molecule.hpp"
+#include "pliant/jobs/sample_job.hpp"
 #include "pliant/molecule/drawing.hpp"
-#include "pliant/molecule/selection.hpp"
-#include "pliant/sample/sample_fields.hpp"
 #include "pliant/sample/samplers.hpp"
-#include "sample/asked_amplitude.hpp"
 #include "sample/sampled_ensemble.hpp"
 #include "tables.hpp"
 
 namespace pliant::python {
 namespace {
 
-MolecularModel model_from(const nb::handle& argument, const std::string& model, AskedModel asked) {
+/// The model that is given, or that of a structure; its kind is then in the job.
+MolecularModel model_from(const nb::handle& argument, Job& job, AskedModel asked) {
+  ModelAsked& model = job.molecule.model;
   if (nb::isinstance<MolecularModel>(argument)) {
     refuse_for_built_model(asked);
-    if (!model.empty()) throw OptionError("model: goes with a structure, not with a model");
-    refuse_drawing(nb::cast<const MolecularModel&>(argument).structure);
-    return nb::cast<MolecularModel>(argument);
+    if (model.model != automatic_model)
+      throw OptionError("model: goes with a structure, not with a model");
+    const auto& given = nb::cast<const MolecularModel&>(argument);
+    refuse_drawing(given.structure);
+    model.model = entry(given.kind).name;
+    return given;
   }
   const nb::object part = part_from(argument, asked);
   const auto& structure = nb::cast<const Structure&>(part);
-  refuse_drawing(structure);
-  ModelOptions& options = asked.options;
-  options.kind = usual_model(structure);
-  if (!model.empty()) options.kind = choose(models(), "model", model).kind;
-  refuse_unused(asked, options.kind);
-  if (options.kind != ModelKind::molecule) return build_model(structure, options);
-  return build_model(largest_molecule(structure, options.log), options);
+  job.molecule.input.file = structure.source;
+  job.molecule.input.frame = static_cast<std::int64_t>(structure.model);
+  return sampled_model(job, structure, std::move(asked.contacts), "", python_log());
 }
 
 /// Needs the GIL not to be held.
-void fill(SampledEnsemble& out, const SampleTask& task, const SampleOutput& output,
-          InterruptWatch& watch) {
-  out.header = header_of_sample(out.model, out.amplitude, task);
-  std::optional<H5mdRecorder> recorder;
-  if (output.path)
-    recorder.emplace(*output.path, task.framework(), header_for(out.header, output),
-                     output.options);
-  out.summary = task.run([&](const Frame& frame) {
-    if (recorder) recorder->record(frame);
+void fill(SampledEnsemble& out, SampleJob& job, InterruptWatch& watch) {
+  out.header = job.header();
+  out.summary = job.run([&](const Frame& frame) {
     out.add(frame);
-    return watch(frame.step - task.options().first_frame + 1);
+    return watch(frame.step - job.job().sample.first_frame + 1);
   });
-  if (recorder) recorder->close();
 }
-
-/// How far frames go is then in `out`.
-SampleAsked asked_of(SampledEnsemble& out, const std::optional<AskedAmplitude>& amplitude,
-                     SampleOptions options) {
-  options.log = python_log();
-  const std::string text = amplitude_text(amplitude.value_or(usual_amplitude));
-  out.amplitude = asked_amplitude(text, out.model.structure, python_log());
-  SampleAsked asked{std::move(options)};
-  if (amplitude) asked.amplitude = out.amplitude;
-  return asked;
-}
-
-std::int64_t all_cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 /// As a class of pliant that has methods of frames besides, and is written in Python.
 template <class Made>
-nb::object in_python(const char* name, Made made,
-                     const std::optional<std::filesystem::path>& path) {
+nb::object in_python(const char* name, Made made, const std::string& path) {
   nb::object object = nb::inst_alloc(nb::module_::import_("pliant._trajectory.results").attr(name));
   new (nb::inst_ptr<Made>(object)) Made(std::move(made));
   nb::inst_mark_ready(object);
-  if (path) object.attr("output") = *path;
+  if (!path.empty()) object.attr("output") = path_of(path);
   return object;
 }
 
-/// What is wrong with options whatever the molecule is; no file is read before.
-void check_before(SampleOptions options) {
-  if (options.sampler == automatic_sampler) options.sampler = SampleOptions{}.sampler;
-  if (options.frames == open_frames) options.frames = SampleOptions{}.frames;
-  check(options);
+/// The rows of a sample that scripts set, but for its molecule and its output.
+Job take_job(nb::dict given) {
+  Job job = usual_job("sample");
+  take_values(sample_fields(), given, job.sample);
+  const ModelField& model = model_fields().front();
+  if (given.contains("model")) {
+    take_value(model, model.place(job.molecule.model), given["model"]);
+    nb::del(given["model"]);
+  }
+  job.output = take_output(given);
+  return job;
 }
 
 nb::object sample_from(const nb::handle& structure, const nb::object& frames,
-                       const std::optional<AskedAmplitude>& amplitude, const std::string& model,
-                       const std::optional<std::filesystem::path>& path, bool overwrite,
-                       bool single, bool compress, double precision, const std::string& save,
                        const nb::kwargs& more) {
   nb::dict given(more);
   if (!frames.is_none()) given["frames"] = frames;
-  SampleOptions options = unset_sample_options();
-  options.threads = all_cores();
-  take_values(sample_fields(), given, options);
-  AskedModel asked_model = take_arguments(model_arguments(), given);
+  Job job = take_job(given);
+  AskedModel asked = take_arguments(ModelArguments::all, given);
+  const std::string kind = job.molecule.model.model;
+  job.molecule.model = asked.model;
+  job.molecule.model.model = kind;
+  job.molecule.input = asked.input;
   refuse_unknown(nb::module_::import_("pliant._core").attr("sample"), nb::make_tuple(structure),
                  given);
-  check_before(options);
-  SampleOutput output = sample_output(path, overwrite, single, compress, precision, save);
-  SampledEnsemble out{model_from(structure, model, std::move(asked_model)), {}, {}, {}, {}, {}, {}};
-  const SampleAsked asked = asked_of(out, amplitude, std::move(options));
-  const SampleTask task(subject_of(out.model), asked);
-  InterruptWatch watch("frames", task.options().frames);
-  output.options.saved = select_joints(task.framework(), save, "save");
+  check_open(job.sample);
+  MolecularModel model = model_from(structure, job, std::move(asked));
+  SampledEnsemble out{std::move(model), {}, {}, {}, {}, {}, {}};
+  SampleJob sample(std::move(job), out.model, "", python_log());
+  out.amplitude = sample.system().amplitude;
+  InterruptWatch watch("frames", sample.job().sample.frames);
   {
     const nb::gil_scoped_release no_gil;
-    fill(out, task, output, watch);
+    fill(out, sample, watch);
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
   warn_of_amplitude(out.summary, python_log());
-  if (task.conformers()) out.model.framework = *task.conformers();
+  if (sample.task().conformers()) out.model.framework = *sample.task().conformers();
+  const std::string& path = sample.job().output.output;
   return in_python("SampledEnsemble", std::move(out), path);
 }
 
 nb::object continue_from(const std::filesystem::path& path, std::optional<std::int64_t> frames,
-                         std::optional<std::int64_t> threads, double flush_seconds, bool durable) {
-  const Log log = python_log();
-  H5mdOptions recording{.flush_seconds = flush_seconds, .durable = durable};
-  recording.log = unraisable_python_log();
+                         const nb::kwargs& more) {
+  nb::dict given(more);
+  Job job = take_job(given);
+  refuse_unknown(nb::module_::import_("pliant._core").attr("continue_sample"),
+                 nb::make_tuple(nb::none()), given);
+  job.go_on = path_text(path);
   InterruptWatch watch;
   SampleSummary summary;
+  const Log log = python_log();
   {
     const nb::gil_scoped_release no_gil;
-    const H5mdCheckpoint from = read_checkpoint(path, frames, log);
-    if (!from.is_sample())
-      throw InputError(path_text(path) + ": holds steps of a run: continue_run goes on with them");
-    if (from.done > from.steps)
-      throw OptionError("frames = " + std::to_string(from.steps) + ": " + path_text(path) +
-                        " has " + std::to_string(from.done) + " frames already");
-    SampleOptions options = sample_options_from(from);
-    options.threads = threads.value_or(all_cores());
-    check(options);
-    if (from.done < from.steps)
-      summary = add_frames(from, options, recording, [&](const Frame&) { return watch(); });
+    ContinuedSample sample(std::move(job), frames, "", log);
+    summary = sample.run([&](const Frame&) { return watch(); });
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
-  return in_python("SampleResult", std::move(summary), path);
+  return in_python("SampleResult", std::move(summary), path_text(path));
 }
 
 constexpr const char* doc_of_sample =
@@ -161,27 +130,8 @@ structure : Structure, path, Universe, AtomGroup, rdkit.Chem.Mol or MolecularMod
     ProDy's and MDTraj's molecules are taken, too. Or the model of a structure.
 )";
 
-constexpr const char* doc_of_amplitude =
-    R"(amplitude : float, str or path, optional
-    Mean r.m.s. fluctuation of residues (Angstrom), ``"bfactors"``, or a file of models or frames; 1.4
-    if none is given. Samplers ``torsions`` take none.
-)";
-
-constexpr const char* doc_of_model =
-    R"(model : str
-    A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
-)";
-
-constexpr const char* doc_of_output =
-    R"(output : str or path, optional
-    H5MD file to write as well; ``continue_sample`` goes on with it.
-overwrite, single, compress : bool
-    As for ``H5mdRecorder``.
-precision : float
-    Angstrom; as for ``H5mdRecorder``.
-save : str
-    Selection of the atoms to record; as for ``H5mdRecorder``.
-
+constexpr const char* doc_of_refusals =
+    R"(
 Returns
 -------
 SampledEnsemble
@@ -193,7 +143,8 @@ OptionError
 InputError
     As ``build_model``, where the start of a model is not whole, or a file of models has others.
 FileError
-    The file exists (and ``overwrite`` is false) or cannot be written.
+    The file exists (and ``overwrite`` is false) or cannot be written. ``continue_sample`` goes on
+    with the file.
 )";
 
 constexpr const char* continue_doc =
@@ -236,33 +187,39 @@ FileError
 /// Options of scripts: frames come first and may be given by place.
 std::string signature() {
   SampleOptions usual = unset_sample_options();
-  std::vector<std::string_view> models_or_none = names_of(models());
-  models_or_none.insert(models_or_none.begin(), "");
+  ModelAsked model{.model = std::string(automatic_model)};
   std::string text = "def sample(structure: MolecularModel | " + std::string(any_molecule);
   for (const SampleField& field : sample_fields()) {
-    if (field.name == "frames")
-      text += ", frames: int | None = None, *, amplitude: float | str | os.PathLike | None = None";
-    else if (field.users.python)
-      text += ", " + argument_text(field, field.place(usual));
+    if (field.users.python) text += ", " + argument_text(field, field.place(usual));
+    if (field.name == "frames") text += ", *";
   }
-  return text + ", model: " + literal_type(models_or_none) + " = \"\", " +
-         argument_texts(model_arguments()) +
-         ", output: str | os.PathLike[str] | None = None, "
-         "overwrite: bool = False, single: bool = False, compress: bool = False, "
-         "precision: float = 0.0, save: str = '') -> SampledEnsemble";
+  const ModelField& kind = model_fields().front();
+  return text + ", " + argument_text(kind, kind.place(model)) + ", " +
+         argument_texts(ModelArguments::all) + ", " +
+         argument_texts(output_fields(), OutputOptions()) + ") -> SampledEnsemble";
 }
 
 std::string sample_doc() {
-  SampleOptions usual = unset_sample_options();
-  std::string text = doc_of_sample;
-  for (const SampleField& field : sample_fields()) {
-    if (field.users.python) text += argument_doc(field, field.place(usual));
-    if (field.name == "frames") text += doc_of_amplitude;
-  }
-  return text + doc_of_model + argument_docs(model_arguments()) + doc_of_output;
+  ModelAsked model{.model = std::string(automatic_model)};
+  const ModelField& kind = model_fields().front();
+  return doc_of_sample + argument_docs(sample_fields(), unset_sample_options()) +
+         argument_doc(kind, kind.place(model)) + argument_docs(ModelArguments::all) +
+         argument_docs(output_fields(), OutputOptions()) + doc_of_refusals;
+}
+
+/// Rows of a task for commands that are written in Python.
+nb::list job_rows_of(const std::string& task) {
+  nb::list rows;
+  Job usual = usual_job(task);
+  for (const OptionRow<Job>& row : job_rows(task))
+    if (row.facts->users.command) rows.append(row_of(*row.facts, row.place(usual)));
+  return rows;
 }
 
 void bind_sample_function(nb::module_& module) {
+  module.def("job_rows", &job_rows_of, "task"_a,
+             nb::sig("def job_rows(task: str) -> list[dict[str, typing.Any]]"),
+             "The table of the options of a job: ``sample`` or ``run``.");
   module.def(
       "near_frames",
       [](std::int64_t frames) {
@@ -271,10 +228,8 @@ void bind_sample_function(nb::module_& module) {
         return near_frames_of(options);
       },
       "frames"_a, "How many of so many frames of sampler ``reach`` are those of ``modes``.");
-  module.def("sample", &sample_from, "structure"_a.none(), "frames"_a = nb::none(), nb::kw_only(),
-             "amplitude"_a = nb::none(), "model"_a = "", "output"_a = nb::none(),
-             "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
-             "save"_a = "", "options"_a, nb::sig(signature().c_str()), sample_doc().c_str());
+  module.def("sample", &sample_from, "structure"_a.none(), "frames"_a = nb::none(), "options"_a,
+             nb::sig(signature().c_str()), sample_doc().c_str());
 }
 
 }  // namespace
@@ -300,8 +255,7 @@ void bind_sample(nb::module_& module) {
       "The table of ways to move that ``sample`` knows.");
   bind_sampled_ensemble(module);
   bind_sample_function(module);
-  module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), nb::kw_only(),
-             "threads"_a = nb::none(), "flush_seconds"_a = 1.0, "durable"_a = false,
+  module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), "options"_a,
              nb::sig("def continue_sample(path: str | os.PathLike[str], frames: int | None = None, "
                      "*, threads: int | None = None, flush_seconds: float = 1.0, "
                      "durable: bool = False) -> SampleResult"),

@@ -7,12 +7,12 @@
 
 #include "arrays.hpp"
 #include "messages.hpp"
+#include "option_fields.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/jobs/recorded_sample.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/selection.hpp"
-#include "record/recorded_bonds.hpp"
 
 namespace pliant::python {
 namespace {
@@ -26,13 +26,18 @@ Frames sampled_frames(nb::handle_t<SampledEnsemble> self) {
   return Frames(ensemble.positions.data(), {frames, atoms, 3}, self);
 }
 
-void record_ensemble(const SampledEnsemble& self, const std::filesystem::path& path, bool overwrite,
-                     bool single, bool compress, double precision, const std::string& save) {
-  SampleOutput output = sample_output(path, overwrite, single, compress, precision, save);
-  output.options.saved = select_joints(self.model.framework, save, "save");
+void record_ensemble(const SampledEnsemble& self, const std::filesystem::path& path,
+                     const nb::kwargs& more) {
+  nb::dict given(more);
+  OutputOptions output = take_output(given);
+  refuse_unknown(nb::type<SampledEnsemble>().attr("record"), nb::make_tuple(nb::none()), given);
+  output.record.saved = select_joints(self.model.framework, output.save, "save");
+  H5mdHeader header = self.header;
+  for (auto& [place, value] : header.parameters)
+    for (const auto& field : output_fields())
+      if (place == recorded_path("record", field)) value = parameter_of(field, field.place(output));
   const nb::gil_scoped_release no_gil;
-  H5mdRecorder recorder(path, self.model.framework, header_for(self.header, output),
-                        output.options);
+  H5mdRecorder recorder(path, self.model.framework, header, output.record);
   for (std::size_t k = 0; k < self.frames.size(); ++k) recorder.record(self.frame(k));
   recorder.close();
 }
@@ -72,6 +77,16 @@ void bind_summary(nb::class_<T>& to) {
           "(N,) float64: half the difference between halves of the frames (Angstrom).");
 }
 
+/// How a file of frames in memory is recorded.
+std::string record_signature() {
+  std::string text = "def record(self, path: str | os.PathLike[str], *";
+  OutputOptions usual;
+  for (const auto& field : output_fields())
+    if (field.users.python && field.name != "output" && field.name != "topology")
+      text += ", " + argument_text(field, field.place(usual));
+  return text + ") -> None";
+}
+
 }  // namespace
 
 void SampledEnsemble::add(const Frame& frame) {
@@ -88,41 +103,17 @@ Frame SampledEnsemble::frame(std::size_t k) const {
   return shown;
 }
 
-SampleOutput sample_output(const std::optional<std::filesystem::path>& path, bool overwrite,
-                           bool single, bool compress, double precision, const std::string& save) {
-  if (path && path->extension() != ".h5md" && path->extension() != ".h5")
-    throw OptionError("output " + path_text(*path) +
+OutputOptions take_output(nb::dict given) {
+  OutputOptions output;
+  take_values(output_fields(), given, output);
+  output.record.log = unraisable_python_log();
+  const std::filesystem::path path = path_of(output.output);
+  if (!path.empty() && path.extension() != ".h5md" && path.extension() != ".h5")
+    throw OptionError("output " + output.output +
                       ": expected a name that ends in .h5md: pliant.sample(..., output=\"" +
-                      path_text(path->parent_path() / path->stem()) + ".h5md" + "\").save(\"" +
-                      path_text(*path) + "\")");
-  return {path,
-          {.single = single,
-           .compress = compress,
-           .precision = precision,
-           .overwrite = overwrite,
-           .log = unraisable_python_log()},
-          save};
-}
-
-H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& amplitude,
-                            const SampleTask& task) {
-  H5mdHeader header = header_of(&model.structure);
-  header.inputs = sample_inputs(task.start(), task.nodes());
-  header.parameters = parameters_of(task.options());
-  const std::string file = path_text(path_of(model.structure.source).filename());
-  header.parameters.insert(header.parameters.end(),
-                           {{"input/file", file},
-                            {"sample/amplitude_from", amplitude.source},
-                            {"sample/amplitude_reason", amplitude.reason},
-                            {"model/kind", std::string(entry(model.kind).name)},
-                            left_out_of(model)});
-  return header;
-}
-
-H5mdHeader header_for(H5mdHeader header, const SampleOutput& output) {
-  for (NamedParameter& one : parameters_of(output.options, output.save))
-    header.parameters.push_back(std::move(one));
-  return header;
+                      path_text(path.parent_path() / path.stem()) + ".h5md" + "\").save(\"" +
+                      output.output + "\")");
+  return output;
 }
 
 void bind_sampled_ensemble(nb::module_& module) {
@@ -139,8 +130,7 @@ void bind_sampled_ensemble(nb::module_& module) {
           "amplitude_reason", [](const SampledEnsemble& self) { return self.amplitude.reason; },
           "Origin of the amplitude that was asked for, in words.")
       .def_prop_ro("positions", &sampled_frames, "(F, N, 3) float64 view, Angstrom.")
-      .def("record", &record_ensemble, "path"_a, nb::kw_only(), "overwrite"_a = false,
-           "single"_a = false, "compress"_a = false, "precision"_a = 0.0, "save"_a = "",
+      .def("record", &record_ensemble, "path"_a, "options"_a, nb::sig(record_signature().c_str()),
            "Writes the H5MD file that ``sample`` writes with ``output``; options as for\n"
            "``H5mdRecorder``. Raises FileError where it exists or cannot be written.");
   bind_summary(ensemble);

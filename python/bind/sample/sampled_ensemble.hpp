@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bind.hpp"
+#include "pliant/jobs/output_options.hpp"
 #include "pliant/jobs/sample_task.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
@@ -17,16 +18,9 @@
 
 namespace pliant::python {
 
-/// Where frames are written.
-struct SampleOutput {
-  std::optional<std::filesystem::path> path;
-  H5mdOptions options;
-  std::string save = {};  ///< selection of the atoms; "": all
-};
-
-/// Throws OptionError for names that are not of H5MD.
-SampleOutput sample_output(const std::optional<std::filesystem::path>& path, bool overwrite,
-                           bool single, bool compress, double precision, const std::string& save);
+/// The output that scripts ask for, by rows of output_fields(). Throws OptionError for names that
+/// are not of H5MD; raises as take_values().
+OutputOptions take_output(nb::dict given);
 
 /// Frames, and what they were made of.
 struct SampledEnsemble {
@@ -34,7 +28,7 @@ struct SampledEnsemble {
   AmplitudeChoice amplitude;
   std::vector<Vec3> positions;  ///< (F * N)
   SampleSummary summary;
-  H5mdHeader header;                                  ///< without how it is recorded
+  H5mdHeader header;                                  ///< of a file of these frames
   std::vector<Frame> frames;                          ///< (F) without spans
   std::vector<std::vector<std::uint8_t>> limits_off;  ///< (F) of these frames
 
@@ -43,13 +37,6 @@ struct SampledEnsemble {
   void add(const Frame& frame);
   Frame frame(std::size_t k) const;
 };
-
-/// What a file of it holds besides frames.
-H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& amplitude,
-                            const SampleTask& task);
-
-/// The same with how it is recorded.
-H5mdHeader header_for(H5mdHeader header, const SampleOutput& output);
 
 void bind_sampled_ensemble(nb::module_& module);
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -16,28 +17,39 @@
 
 namespace pliant {
 
+/// Several names, given with commas between them.
+using OptionNames = std::vector<std::string>;
+/// Groups of words, one each time that the option is given.
+using OptionGroups = std::vector<std::vector<std::string>>;
+
 /// Where an option lies.
-using OptionPlace = std::variant<bool*, std::int64_t*, std::uint64_t*, double*, std::string*>;
+using OptionPlace = std::variant<bool*, std::int64_t*, std::uint64_t*, double*, std::string*,
+                                 OptionNames*, OptionGroups*>;
 
 /// Who may set an option. Where some may not, their program chooses the value itself.
 struct OptionUsers {
   bool command = true;
   bool python = true;
   bool page = true;
-  bool file = true;  ///< a recorded file, which a run or a sample goes on from
+  bool file = true;   ///< a recorded file, which a run or a sample goes on from
+  bool again = true;  ///< whether it may be given where a job goes on
 };
 
 /// What an option is, wherever it is stored.
 struct OptionFacts {
   std::string_view name;          ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
+  char letter = 0;                ///< of the command's short option, as in -o; 0: none
   std::string_view group = {};    ///< the heading under which help lists it
   std::string_view summary = {};  ///< what it means; in the command's words where those differ
   Range range = Range::any;       ///< what a number may be
+  std::int64_t least = 0;         ///< of a whole number, where `range` does not say it
   double largest = HUGE_VAL;      ///< number, whoever sets it
   /// The names that a text may be, and what they are names of; null: any text, of that kind.
   std::vector<std::string_view> (*choices)() = nullptr;
   std::string_view kind = {};
-  bool is_optional = false;           ///< 0 stands for "not used" and is in range too
+  bool is_optional = false;           ///< 0 or "" stands for "not used" and is in range too
+  bool is_file = false;               ///< a text is the name of a file, recorded without its folder
+  std::size_t words = 0;              ///< words in each of OptionGroups
   std::string_view unit = {};         ///< of a number; "": none, or the summary says it
   std::string_view in_python = {};    ///< the summary in the words of scripts; "": the same
   std::string_view automatic = {};    ///< what a user may give in place of a choice, and gives if
@@ -47,6 +59,8 @@ struct OptionFacts {
   std::string_view unset_means = {};  ///< what the command does where it is not given, if that is
                                       ///< not the default of the library
   OptionUsers users = {};
+  std::string_view recorded = {};        ///< path below /parameters; "": group of the table/name
+  std::string_view type_in_python = {};  ///< what scripts may give, where it is more than one type
 };
 
 /// A row of a table, for options of one kind.
@@ -70,7 +84,8 @@ OptionPlace place_at(Options& options) {
   return follow_members<Members...>(options);
 }
 
-/// Returns the largest whole number that the command and the page take.
+/// Returns the least and the largest whole number that the command and the page take.
+std::int64_t least_taken(const OptionFacts& facts);
 std::int64_t largest_taken(const OptionFacts& facts);
 
 /// Throws OptionError naming the option, its value and what it must be.
@@ -83,8 +98,9 @@ void set_option(const OptionFacts& facts, OptionPlace place, std::string_view te
 /// The value as text that set_option() reads back to the same bits.
 std::string option_text(OptionPlace place);
 
-/// The value as files keep it. A seed is text, since 64 bits without sign do not fit a Parameter.
-Parameter parameter_of(OptionPlace place);
+/// The value as files keep it. A seed is text, since 64 bits without sign do not fit a Parameter;
+/// names and words are text, too.
+Parameter parameter_of(const OptionFacts& facts, OptionPlace place);
 
 /// Returns the parameter of that path. Throws InputError where there is none.
 const Parameter& find_parameter(const std::vector<NamedParameter>& parameters,
@@ -101,6 +117,9 @@ Options& places_of(const Options& options) {
   return const_cast<Options&>(options);
 }
 
+/// The path of an option below /parameters: "sample/seed".
+std::string recorded_path(std::string_view group, const OptionFacts& facts);
+
 /// Options of a table as files keep them, each below `group`: "sample/seed".
 template <class Fields, class Options>
 std::vector<NamedParameter> option_parameters(std::string_view group, const Fields& fields,
@@ -108,8 +127,8 @@ std::vector<NamedParameter> option_parameters(std::string_view group, const Fiel
   std::vector<NamedParameter> values;
   for (const auto& field : fields)
     if (field.users.file)
-      values.emplace_back(std::string(group) + "/" + std::string(field.name),
-                          parameter_of(field.place(places_of(options))));
+      values.emplace_back(recorded_path(group, field),
+                          parameter_of(field, field.place(places_of(options))));
   return values;
 }
 
@@ -124,7 +143,7 @@ void restore_options(std::string_view group, const Fields& fields,
                      const std::vector<NamedParameter>& parameters, Options& options) {
   bool is_needed = true;
   for (const auto& field : fields) {
-    const std::string path = std::string(group) + "/" + std::string(field.name);
+    const std::string path = recorded_path(group, field);
     if (field.users.file && (is_needed || has_parameter(parameters, path)))
       restore_option(parameters, path, field.place(options));
     is_needed = false;
@@ -137,6 +156,24 @@ void leave_open(const Fields& fields, Options& options) {
   for (const auto& field : fields)
     if (!field.automatic.empty())
       *std::get<std::string*>(field.place(options)) = std::string(field.automatic);
+}
+
+/// A row of one of the tables of a job, which holds options of several kinds.
+template <class Job>
+struct OptionRow {
+  const OptionFacts* facts;
+  std::string path;  ///< below /parameters
+  std::function<OptionPlace(Job&)> place;
+};
+
+/// Adds the rows of a table whose options lie at `at` of a job: append_rows(rows, "sample",
+/// sample_fields(), [](Job& job) -> SampleOptions& { return job.sample; }).
+template <class Job, class Fields, class At>
+void append_rows(std::vector<OptionRow<Job>>& rows, std::string_view group, const Fields& fields,
+                 At at) {
+  for (const auto& field : fields)
+    rows.push_back({&field, recorded_path(group, field),
+                    [&field, at](Job& job) { return field.place(at(job)); }});
 }
 
 }  // namespace pliant

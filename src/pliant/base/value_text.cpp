@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/value_text.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include "pliant/base/error.hpp"
@@ -47,10 +48,32 @@ void set_value(std::string_view name, std::string_view text, double& place) {
 
 void set_value(std::string_view, std::string_view text, std::string& place) { place = text; }
 
+void set_value(std::string_view, std::string_view text, std::vector<std::string>& place) {
+  place.clear();
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    place.emplace_back(text.substr(from, comma - from));
+    from = comma + 1;
+  }
+}
+
 std::string value_text(bool value) { return value ? "true" : "false"; }
 std::string value_text(std::int64_t value) { return std::to_string(value); }
 std::string value_text(std::uint64_t value) { return std::to_string(value); }
 std::string value_text(double value) { return shortest_text(value); }
 std::string value_text(const std::string& value) { return value; }
+
+std::string value_text(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  return text;
+}
+
+std::string value_text(const std::vector<std::vector<std::string>>& groups) {
+  std::string text;
+  for (const auto& words : groups)
+    for (const std::string& word : words) text += (text.empty() ? "" : " | ") + word;
+  return text;
+}
 
 }  // namespace pliant

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pliant {
 
@@ -16,6 +17,8 @@ void set_value(std::string_view name, std::string_view text, std::int64_t& place
 void set_value(std::string_view name, std::string_view text, std::uint64_t& place);
 void set_value(std::string_view name, std::string_view text, double& place);
 void set_value(std::string_view name, std::string_view text, std::string& place);
+/// Names with commas between them.
+void set_value(std::string_view name, std::string_view text, std::vector<std::string>& place);
 
 /// The text that set_value() reads back.
 std::string value_text(bool value);
@@ -23,5 +26,8 @@ std::string value_text(std::int64_t value);
 std::string value_text(std::uint64_t value);
 std::string value_text(double value);
 std::string value_text(const std::string& value);
+std::string value_text(const std::vector<std::string>& names);
+/// All words in a row, " | " between them: for people.
+std::string value_text(const std::vector<std::vector<std::string>>& groups);
 
 }  // namespace pliant

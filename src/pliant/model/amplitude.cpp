@@ -31,9 +31,8 @@ constexpr std::string_view expected =
 [[noreturn]] void refuse_confidence() {
   throw OptionError(
       "amplitude plddt: pLDDT is a confidence, not a distance, and no law is known that converts "
-      "it into one; give a number (Angstrom) or a file of models (--floppy frees residues with a "
-      "pLDDT "
-      "below 50)");
+      "it into one; give a number (Angstrom) or a file of models (--floppy-below 50 frees residues "
+      "with a pLDDT below that)");
 }
 
 /// Nodes of residues, or all where there are none.

@@ -25,6 +25,19 @@ const std::string sampler_in_python =
     "A name in ``samplers()``, or ``auto``: " + usual_sampler_text("``") +
     ",\nwhich have no amplitude.";
 
+const std::string amplitude_text =
+    "how far frames go: r.m.s. fluctuation, averaged over residues. An input:\nX: in Angstrom "
+    "(default " +
+    number_text(usual_amplitude) +
+    ", which is that of ubiquitin by NMR, 2K39)\n"
+    "bfactors: from the B factors in the file, sqrt(3 B / 8 pi^2)\n"
+    "FILE: from your own ensemble: models (PDB, mmCIF) or frames (H5MD) of the\n"
+    "same residues, with the same numbers";
+const std::string amplitude_in_python =
+    "Mean r.m.s. fluctuation of residues (Angstrom), ``\"bfactors\"``, or a file of models or\n"
+    "frames; " +
+    number_text(usual_amplitude) + " if none is given. Samplers ``torsions`` take none.";
+
 const std::string near_text =
     "(a ligand), those within " + number_text(place_distance) + " Angstrom";
 const std::string around_text =
@@ -55,7 +68,16 @@ const SampleField table[] = {
       .in_python = "Number of the first frame: a run may be made in pieces.",
       .most = most_frames},
      at<&SampleOptions::first_frame>},
-    // The command and Python take more than a number: see SampleAsked.
+    {{.name = "amplitude",
+      .group = group,
+      .summary = amplitude_text,
+      .kind = "X, NAME or FILE",
+      .in_python = amplitude_in_python,
+      .users = {.page = false},
+      .recorded = "sample/amplitude_from",
+      .type_in_python = "float | str | os.PathLike[str] | None"},
+     at<&SampleOptions::amplitude_from>},
+    // What was found, in Angstrom.
     {{.name = "amplitude",
       .group = group,
       .summary = "how far frames go: r.m.s. fluctuation, averaged over residues",

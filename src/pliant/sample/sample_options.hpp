@@ -25,6 +25,9 @@ struct SampleOptions {
   std::int64_t frames = usual_frames;  ///< from 1
   std::int64_t first_frame = 0;        ///< frames [first_frame, first_frame + frames) of the run
   double amplitude = usual_amplitude;  ///< mean r.m.s. fluctuation of nodes (Angstrom), 0.01 to 10
+  /// Where that comes from: a number, `bfactors`, or a file of an ensemble; "": the default, which
+  /// samplers without an amplitude accept. The job finds the amplitude: see SampleJob.
+  std::string amplitude_from;
   std::uint64_t seed = 0;
   std::int64_t threads = 1;        ///< from 1; changes no result
   std::string network = "shared";  ///< a name in networks()

@@ -167,7 +167,7 @@ def test_a_killed_run_goes_on_to_the_same_bytes(pliant, command, with_broken, tm
     assert report["resumed"] > 3
     assert (report["records"], len(report["failed"])) == (20, 1)
     assert (tmp_path / name).read_bytes() == (tmp_path / f"whole-{name}").read_bytes()
-    again = pliant("sample", "--continue", "out.sdf")
+    again = pliant("conformers", "--continue", "out.sdf")
     assert again.code == 1
     assert "out.sdf: nothing to continue: " in again.err
     assert not list(tmp_path.glob(".*"))
@@ -288,7 +288,7 @@ def test_shards_hold_all_records(pliant, with_broken, tmp_path):
 
 def test_smiles_files_and_texts(pliant, tmp_path):
     (tmp_path / "some.smi").write_text("smiles name\nCCCO propanol\n\nCC(=O)O.[Na]\nC1CC ring\n")
-    ended = pliant("sample", "some.smi", "--frames", 20, "--json")
+    ended = pliant("conformers", "some.smi", "-o", "some-conformers.sdf", "--frames", 20, "--json")
     assert ended.code == 3
     report = json.loads(ended.out)
     assert [one["number"] for one in report["made"]] == [1, 2]
@@ -302,7 +302,7 @@ def test_smiles_files_and_texts(pliant, tmp_path):
     ]
     names = [one.GetProp("_Name") for one in molecules(tmp_path / "some-conformers.sdf")]
     assert list(dict.fromkeys(names)) == ["propanol", "CC(=O)O.[Na]"]
-    ended = pliant("sample", "--smiles", "C[C@H](F)CO", "-o", "one.sdf", "--frames", 20)
+    ended = pliant("conformers", "--smiles", "C[C@H](F)CO", "-o", "one.sdf", "--frames", 20)
     assert ended.code == 0
     assert {Chem.MolToSmiles(Chem.RemoveHs(one)) for one in molecules(tmp_path / "one.sdf")} == {
         "C[C@H](F)CO"

@@ -86,7 +86,10 @@ def test_a_wrong_line_is_named(pliant, tmp_path):
             "--model, --bars: expected one of them: a model has bars of its own",
         ),
         (["--keep-waters"], "--keep-waters: goes with --model molecule or --model protein"),
-        (["--model", "molecule", "--floppy"], "--floppy: goes with --model protein"),
+        (
+            ["--model", "molecule", "--floppy-below", "50"],
+            "--floppy-below: goes with --model protein",
+        ),
         (
             ["--model", "molecule", "--more-contacts", "cation_pi"],
             "--more-contacts: goes with --model protein",

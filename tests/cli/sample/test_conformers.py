@@ -168,7 +168,7 @@ def test_goes_on_with_the_same_bits(pliant, drug, tmp_path):
 
 
 def test_an_amplitude_is_refused(pliant, drug):
-    ended = pliant("sample", drug, "-o", "out.sdf", "--amplitude", 2)
+    ended = pliant("sample", drug, "-o", "out.sdf", *RAW, "--amplitude", 2)
     assert ended.code == 2
     assert ended.err.splitlines()[-1] == (
         "pliant: error: --amplitude: sampler torsions has none: how far torsions turn is drawn"
@@ -176,7 +176,7 @@ def test_an_amplitude_is_refused(pliant, drug):
 
 
 def test_sdf_takes_no_options_of_h5md(pliant, drug):
-    ended = pliant("sample", drug, "-o", "out.sdf", "--single")
+    ended = pliant("sample", drug, "-o", "out.sdf", *RAW, "--single")
     assert ended.code == 2
     assert "--single: goes with H5MD, not with the SDF file out.sdf" in ended.err
 

@@ -102,8 +102,8 @@ def test_runs_and_samples_are_not_mixed_up(pliant, ethanol):
     ended = pliant("sample", "--continue", "run.h5md")
     assert (ended.code, ended.err) == (
         1,
-        "pliant: error: run.h5md: holds steps of pliant run: pliant run --continue goes on with "
-        "them\n",
+        "pliant: error: run.h5md: holds steps of a run: pliant run --continue and continue_run go "
+        "on with them\n",
     )
     ended = pliant("run", "--continue", "sample.h5md")
     assert (ended.code, ended.err) == (

@@ -152,7 +152,7 @@ def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):
          "model (EXPDTA THEORETICAL MODEL), which has none" + end),
         (start, "plddt", "amplitude plddt: pLDDT is a confidence, not a distance, and no law is "
          "known that converts it into one" + end
-         + " (--floppy frees residues with a pLDDT below 50)"),
+         + " (--floppy-below 50 frees residues with a pLDDT below that)"),
         (start, "nmr", "amplitude: expected a number above 0 (Angstrom), bfactors, or a file with "
          'models of the molecule; found "nmr"'),
         (start, "-1", '--amplitude: expected a number above 0, found "-1"'),

@@ -56,7 +56,10 @@ def test_what_cannot_go_on_is_reported(peptide, tmp_path):
     with pytest.raises(pliant.InputError, match="holds frames of sample: continue_sample goes on"):
         pliant.continue_run(path, 5)
     pliant.run(peptide, output=tmp_path / "run.h5md", steps=2)
-    with pytest.raises(pliant.InputError, match="holds steps of a run: continue_run goes on"):
+    with pytest.raises(
+        pliant.InputError,
+        match="holds steps of a run: pliant run --continue and continue_run go on",
+    ):
         pliant.continue_sample(tmp_path / "run.h5md")
 
 

@@ -30,6 +30,8 @@ struct Change {
   void operator()(std::int64_t* value) const { ++*value; }
   void operator()(std::uint64_t* value) const { *value = ~*value; }
   void operator()(double* value) const { *value *= 0.5; }
+  void operator()(OptionNames* value) const { value->push_back("GOL"); }
+  void operator()(OptionGroups*) const {}
   void operator()(std::string* value) const {
     if (field.choices == nullptr) return void(*value = "resid 1-2");
     const auto known = field.choices();
@@ -128,11 +130,12 @@ TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
 /// A member more, and this does not compile: it needs a row, or a place among the last.
 TEST(SampleRows, EveryOptionHasOne) {
   SampleOptions options;
-  auto& [frames, first_frame, amplitude, seed, threads, network, sampler, near_frames, around,
-         around_joints, contact_energy, ring_systems, turn_amides, should_stop, log] = options;
-  const std::set<const void*> members{&frames,  &first_frame,    &amplitude,  &seed,
-                                      &threads, &network,        &sampler,    &near_frames,
-                                      &around,  &contact_energy, &turn_amides};
+  auto& [frames, first_frame, amplitude, amplitude_from, seed, threads, network, sampler,
+         near_frames, around, around_joints, contact_energy, ring_systems, turn_amides, should_stop,
+         log] = options;
+  const std::set<const void*> members{&frames,      &first_frame, &amplitude,      &amplitude_from,
+                                      &seed,        &threads,     &network,        &sampler,
+                                      &near_frames, &around,      &contact_energy, &turn_amides};
   std::set<const void*> places;
   for (const SampleField& field : sample_fields()) places.insert(address_of(field.place(options)));
   EXPECT_EQ(places, members);

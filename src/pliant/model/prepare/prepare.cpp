@@ -279,7 +279,7 @@ class Preparer {
                               " with a confidence (B factor) below " + number_text(below) + ": " +
                               listed_residues(atoms(), low);
     if (options_.floppy_below == 0.0) {
-      now_.missing.push_back(named + "; --floppy leaves out their contacts");
+      now_.missing.push_back(named + "; --floppy-below 50 leaves out their contacts");
       return;
     }
     note(named + "; their contacts are left out");

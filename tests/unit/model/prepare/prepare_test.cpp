@@ -169,7 +169,7 @@ TEST(Prepare, NamesResiduesOfLowConfidence) {
   const std::string named = "2 residues with a confidence (B factor) below 50: A:GLY1, A:GLY2";
   const Preparation ready = prepare(s);
   EXPECT_TRUE(ready.floppy.empty());
-  EXPECT_EQ(ready.missing.back(), named + "; --floppy leaves out their contacts");
+  EXPECT_EQ(ready.missing.back(), named + "; --floppy-below 50 leaves out their contacts");
   const Preparation floppy = prepare(s, {.floppy_below = 50.0});
   EXPECT_EQ(floppy.steps.back(), named + "; their contacts are left out");
   EXPECT_EQ(std::count(floppy.floppy.begin(), floppy.floppy.end(), true), 2);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A molecule as jobs on bars take it: a model with bars of its own, or bars that are asked for; or
+// a graph.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/jobs/input_options.hpp"
+#include "pliant/jobs/model_asked.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+#include "pliant/perturb/force_files/force_header.hpp"
+
+namespace pliant {
+
+struct BarsAsked {
+  std::string bars;  ///< a name or a file; "": those of the model, or bonds without a model
+  std::string lengths = "geometry";
+  std::string pin;
+};
+
+/// The table of these options; recorded below "input".
+std::span<const OptionField<BarsAsked>> bars_fields();
+
+struct MoleculeOptions {
+  InputOptions input;
+  ModelAsked model;
+  BarsAsked bars;
+  bool may_be_cut = false;  ///< accept a molecule that a periodic box has cut, for a report
+};
+
+/// All rows of the three tables.
+std::span<const OptionRow<MoleculeOptions>> molecule_rows();
+
+struct Molecule {
+  Structure structure;
+  Framework framework;
+  std::uint64_t fingerprint = 0;           ///< of the structure as read, before its model
+  std::vector<std::string> left_out = {};  ///< by its model
+  std::string model = {};                  ///< its name; "": none
+};
+
+/// The name or file of the bars: "bonds" by default, or the name of the model.
+std::string bars_of(const MoleculeOptions& options);
+
+/// Whether the file is a graph XML file, by its name.
+bool is_graph(const MoleculeOptions& options);
+
+/// Reads the file and builds the framework. Throws OptionError for options that exclude each other,
+/// and as read_input(), build_model(), build_framework() and parse_graph_xml() do.
+Molecule load_molecule(const MoleculeOptions& options, const Log& log);
+
+/// The files that are read; "" for none.
+std::vector<std::string> inputs_of(const MoleculeOptions& options);
+
+/// The header of a force file for this molecule: options that are not as usual.
+ForceHeader force_header_of(const MoleculeOptions& options, const Molecule& molecule);
+
+}  // namespace pliant
