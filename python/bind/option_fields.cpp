@@ -19,13 +19,18 @@ namespace {
 
 constexpr const char* names_type = "collections.abc.Sequence[str]";
 
-/// The text of what a script may give where it is no text: a number, a path, nothing.
-std::optional<std::string> text_from(nb::handle value) {
-  if (value.is_none()) return "";
-  if (nb::isinstance<nb::float_>(value)) return shortest_text(nb::cast<double>(value));
-  if (nb::isinstance<nb::int_>(value) && !nb::isinstance<nb::bool_>(value))
+/// The text of what a script may give where it is no text: a number, a path, nothing. Whichever of
+/// these the types name.
+std::optional<std::string> text_from(nb::handle value, std::string_view types) {
+  const auto may_be = [&](std::string_view type) { return types.find(type) != types.npos; };
+  if (value.is_none() && may_be("None")) return "";
+  if (nb::isinstance<nb::float_>(value) && may_be("float"))
+    return shortest_text(nb::cast<double>(value));
+  if (nb::isinstance<nb::int_>(value) && !nb::isinstance<nb::bool_>(value) &&
+      (may_be("int") || may_be("float")))
     return nb::cast<std::string>(nb::str(value));
-  if (nb::hasattr(value, "__fspath__")) return path_text(nb::cast<std::filesystem::path>(value));
+  if (nb::hasattr(value, "__fspath__") && may_be("PathLike"))
+    return path_text(nb::cast<std::filesystem::path>(value));
   return std::nullopt;
 }
 
@@ -73,7 +78,7 @@ void take_value(const OptionFacts& facts, OptionPlace place, nb::handle value) {
         const char* type = types.c_str();
         if constexpr (std::is_same_v<Value, std::string>)
           if (!facts.type_in_python.empty())
-            if (const auto text = text_from(value)) return void(*to = *text);
+            if (const auto text = text_from(value, types)) return void(*to = *text);
         if constexpr (std::is_same_v<Value, std::int64_t>)
           *to = argument_as<Value>(facts.name, value, type, facts.range == Range::positive ? 1 : 0);
         else

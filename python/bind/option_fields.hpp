@@ -50,14 +50,14 @@ nb::list rows_for_commands(const Fields& fields, Options usual) {
 /// Parameters of a file by their paths.
 nb::dict parameters_to_python(const std::vector<NamedParameter>& parameters);
 
-/// The attribute of an option, which is only read.
-template <class Options>
-void bind_value(nb::class_<Options>& to, const OptionField<Options>& field) {
+/// The attribute of an option, which is only read; of a class that has those of the table.
+template <class Bound, class Options>
+void bind_value(nb::class_<Bound>& to, const OptionField<Options>& field) {
   Options any;
   const std::string name(field.name);
   const std::string getter = "def " + name + "(self) -> " + python_type(field.place(any));
   to.def_prop_ro(
-      name.c_str(), [&field](Options& self) { return value_of(field.place(self)); },
+      name.c_str(), [&field](Bound& self) { return value_of(field.place(self)); },
       nb::for_getter(nb::sig(getter.c_str())), docstring(field.summary).c_str());
 }
 
@@ -80,13 +80,15 @@ std::string argument_docs(const Fields& fields, Options usual) {
   return text;
 }
 
-/// Takes from `given` the options of the table that scripts may set, and leaves the others. Raises
-/// as take_value() does.
+/// Takes from `given` the options of the table that scripts may set, or commands too, and leaves
+/// the others. Raises as take_value() does.
 template <class Fields, class Options>
-void take_values(const Fields& fields, nb::dict given, Options& options) {
+void take_values(const Fields& fields, nb::dict given, Options& options,
+                 bool is_of_command = false) {
   for (const auto& field : fields) {
     const nb::str name(field.name.data(), field.name.size());
-    if (!field.users.python || !given.contains(name)) continue;
+    const bool is_open_to = field.users.python || (is_of_command && field.users.command);
+    if (!is_open_to || !given.contains(name)) continue;
     const bool is_open = !field.unset_means.empty() && given[name].is_none();
     if (!is_open) take_value(field, field.place(options), given[name]);
     nb::del(given[name]);

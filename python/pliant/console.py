@@ -158,55 +158,78 @@ def whole_number(least: int, *names: str, most: int | None = None) -> Callable[[
     def parse(text: str) -> int | str:
         if text in names:
             return text
-        short = text.isascii() and text.isdigit() and len(text) <= MOST_DIGITS
-        if short and least <= int(text) and (most is None or int(text) <= most):
+        largest = 10**MOST_DIGITS - 1 if most is None else most
+        is_short = text.isascii() and text.isdigit() and len(text) <= len(str(largest))
+        if is_short and least <= int(text) <= largest:
             return int(text)
-        end = "" if most is None else f" to {most}"
+        end = "" if most is None or most >= 10**MOST_DIGITS else f" to {most}"
         wanted = " or ".join([f"a whole number from {least}{end}", *names])
         raise argparse.ArgumentTypeError(f"expected {wanted}, found '{text}'")
 
     return parse
 
 
-def positive_number(text: str) -> float:
-    """For ``type=``: a finite number above 0."""
+def finite_number(text: str, wanted: str = "a number", above: float = -math.inf) -> float:
+    """For ``type=``: a finite number."""
     try:
         value = float(text)
     except ValueError:
         value = math.nan
-    if not (math.isfinite(value) and value > 0) or "_" in text:
-        raise argparse.ArgumentTypeError(f"expected a number above 0, found '{text}'")
+    if not (math.isfinite(value) and value > above) or "_" in text:
+        raise argparse.ArgumentTypeError(f"expected {wanted}, found '{text}'")
     return value
+
+
+def positive_number(text: str) -> float:
+    """For ``type=``: a finite number above 0."""
+    return finite_number(text, "a number above 0", 0.0)
+
+
+def _taken(row: Mapping[str, Any]) -> dict[str, Any]:
+    """How the option of a row is taken."""
+    if row["type"] == "bool":
+        return {"action": "store_false" if "opposite" in row else "store_true"}
+    if row["type"] == "int":
+        most = row.get("most", 2**64 - 1)
+        return {"metavar": "N", "type": whole_number(row.get("least", 0), most=most)}
+    if row["type"] == "float":
+        return {"metavar": "X", "type": finite_number}
+    if "words" in row:
+        return {"metavar": tuple(row["kind"].split()), "nargs": row["words"], "action": "append"}
+    if row["type"] != "str":
+        return {"metavar": "NAMES", "type": lambda text: list(words(text))}
+    if "choices" in row:
+        return {"choices": row["choices"]}
+    return {"metavar": row["kind"] or "TEXT"}
 
 
 def add_rows(
     parser: argparse.ArgumentParser,
     rows: Iterable[Mapping[str, Any]],
-    without_value: Mapping[str, int],
+    without_value: Mapping[str, int] | None = None,
 ) -> None:
-    """Adds the options of a table of the library, as `path_rows()` gives them.
+    """Adds the options of a table of the library, as `job_rows()` and `path_rows()` give them.
 
-    Those in `without_value` need no value, and then have the one there.
+    Those in `without_value` need no value, and then have the one there. See `given`.
     """
+    groups: dict[str, Any] = {"": parser}
     for row in rows:
-        default, hint = row["default"], f"default: {row['default']}"
-        how: dict[str, Any] = {"default": default}
-        if row["name"] in without_value:
+        if row["group"] not in groups:
+            groups[row["group"]] = parser.add_argument_group(row["group"])
+        default, is_shown = row["default"], "choices" in row or row["type"] in ("int", "float")
+        how, hint = _taken(row), f"default: {default}" if is_shown and default != "" else ""
+        if without_value and row["name"] in without_value:
             how |= {"nargs": "?", "const": without_value[row["name"]]}
             hint = f"{how['const']} if N is not given; {hint}"
-        if row["type"] == "bool":
-            how, hint = {"action": "store_true"}, ""
-        elif row["type"] == "int":
-            most = row.get("most", 2**64 - 1)
-            how |= {"metavar": "N", "type": whole_number(row.get("least", 0), most=most)}
-        elif row["type"] == "float":
-            how |= {"metavar": "X", "type": positive_number}
-        elif "choices" in row:
-            how["choices"] = row["choices"]
-        else:
-            how["metavar"], hint = row.get("kind", "TEXT"), ""
-        text = row["help"] + (f" ({hint})" if hint else "")
-        parser.add_argument("--" + row["name"].replace("_", "-"), help=text, **how)
+        text = (row["help"] + (f" ({hint})" if hint else "")).replace("%", "%%")
+        flag = "--" + row.get("opposite", row["name"]).replace("_", "-")
+        groups[row["group"]].add_argument(flag, dest=row["name"], default=None, help=text, **how)
+
+
+def given(arguments: argparse.Namespace, rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+    """The options of these rows that were given."""
+    values = {row["name"]: getattr(arguments, row["name"]) for row in rows}
+    return {name: value for name, value in values.items() if value is not None}
 
 
 def positive_numbers(text: str) -> tuple[float, ...]:

@@ -188,7 +188,8 @@ def test_docstrings_say_what_and_name_every_parameter(name, doc, parameters):
     if "Parameters" not in sections:
         return
     text = sections[sections.index("Parameters") + 1]
-    heads = [line.split(" : ")[0] for line in text.splitlines() if re.match(r"\w", line)]
+    lines = [line.lstrip("*") for line in text.splitlines()]  # **options
+    heads = [line.split(" : ")[0] for line in lines if re.match(r"\w", line)]
     assert [head for line in heads for head in line.split(", ")] == parameters
 
 

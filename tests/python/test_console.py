@@ -160,3 +160,50 @@ def test_errors_name_such_a_file_safely(command, tmp_path, monkeypatch, capsys):
 def test_json_holds_names_that_are_no_utf8(capsys):
     console.print_json({"file": os.fsdecode(b"a\xff")})
     assert json.loads(capsys.readouterr().out) == {"file": "a\udcff"}
+
+
+ROWS = [
+    {"name": "frames", "type": "int", "default": 4, "group": "", "kind": "", "least": 1, "most": 9},
+    {"name": "cutoff", "type": "float", "default": -1.0, "group": "Model", "kind": ""},
+    {"name": "guess", "type": "bool", "default": True, "opposite": "no_guess", "kind": ""},
+    {"name": "keep", "type": "collections.abc.Sequence[str]", "default": [], "kind": ""},
+    {"name": "pull", "type": "list", "default": [], "words": 2, "kind": "ATOMS X,Y,Z"},
+    {"name": "kind", "type": "str", "default": "a", "choices": ["a", "b"], "kind": "kind"},
+    {"name": "file", "type": "str", "default": "", "kind": "FILE"},
+]
+ROWS = [{"help": "100 %", "group": "Model", **row} for row in ROWS]
+
+
+def given(*words):
+    of_rows = console.Parser("sample", "samples")
+    console.add_rows(of_rows, ROWS)
+    return console.given(of_rows.parse_args(words), ROWS)
+
+
+def test_of_rows_what_was_given_is_taken_as_the_library_takes_it():
+    assert given() == {}
+    words = "--frames 4 --cutoff -0.5 --no-guess --keep GOL,SO4 --kind b --file a.csv"
+    assert given(*words.split(), "--pull", "resid 3", "0,0,8") == {
+        "frames": 4,
+        "cutoff": -0.5,
+        "guess": False,
+        "keep": ["GOL", "SO4"],
+        "pull": [["resid 3", "0,0,8"]],
+        "kind": "b",
+        "file": "a.csv",
+    }
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        ("--frames 10", "--frames: expected a whole number from 1 to 9, found '10'"),
+        ("--cutoff inf", "--cutoff: expected a number, found 'inf'"),
+        ("--kind c", "--kind: invalid choice: 'c' (choose from 'a', 'b')"),
+        ("--guess", "unrecognized arguments: --guess"),
+    ],
+)
+def test_of_rows_what_cannot_be_is_refused(capsys, words, error):
+    with pytest.raises(SystemExit):
+        given(*words.split())
+    assert capsys.readouterr().err.splitlines()[0] == f"pliant sample: error: {error}"

@@ -13,10 +13,10 @@ namespace {
 
 /// Those of contacts are about what holds, that of samples about torsions.
 bool has(ModelArguments which, const ModelField& field) {
-  if (field.name == "model") return false;  // each function has its own default
+  if (field.name == "model") return which == ModelArguments::path;  // others: own defaults
   if (field.name == "free_torsions") return which == ModelArguments::all;
-  return which != ModelArguments::preparation || field.use == &ModelEntry::is_prepared ||
-         field.name == "floppy_below";
+  return which > ModelArguments::preparation || field.use == &ModelEntry::is_prepared ||
+         (which == ModelArguments::preparation && field.name == "floppy_below");
 }
 
 std::vector<ModelField> rows_of(ModelArguments which) {
@@ -26,37 +26,52 @@ std::vector<ModelField> rows_of(ModelArguments which) {
   return rows;
 }
 
+ModelAsked usual(ModelArguments which) {
+  return {.model = std::string(which == ModelArguments::path ? automatic_model : "")};
+}
+
 }  // namespace
 
 std::string argument_texts(ModelArguments which) {
   return argument_texts(input_fields(), InputOptions()) + ", " +
-         argument_texts(rows_of(which), ModelAsked());
+         argument_texts(rows_of(which), usual(which));
 }
 
 std::string argument_docs(ModelArguments which) {
   return argument_docs(input_fields(), InputOptions()) +
-         argument_docs(rows_of(which), ModelAsked());
+         argument_docs(rows_of(which), usual(which));
+}
+
+nb::list argument_rows(ModelArguments which) {
+  nb::list rows = rows_for_commands(input_fields(), InputOptions());
+  rows.extend(rows_for_commands(rows_of(which), usual(which)));
+  return rows;
 }
 
 AskedModel take_arguments(ModelArguments which, nb::dict given) {
-  AskedModel asked;
-  const bool is_named = which == ModelArguments::preparation || !given.contains("contacts") ||
+  AskedModel asked{.model = usual(which)};
+  const bool is_named = which <= ModelArguments::preparation || !given.contains("contacts") ||
                         nb::isinstance<nb::str>(given["contacts"]) ||
                         nb::hasattr(given["contacts"], "__fspath__");
   if (!is_named) {
     if (!given["contacts"].is_none()) asked.contacts = contacts_from(given["contacts"]);
     nb::del(given["contacts"]);
   }
-  take_values(input_fields(), given, asked.input);
+  take_values(input_fields(), given, asked.input, which == ModelArguments::path);
   take_values(rows_of(which), given, asked.model);
   return asked;
 }
 
 nb::object part_from(nb::handle argument, const AskedModel& asked) {
-  const nb::object assembly =
-      asked.input.assembly.empty() ? nb::none() : nb::cast(asked.input.assembly);
+  const InputOptions &input = asked.input, usual;
+  nb::dict reading;
+  if (!input.assembly.empty()) reading["assembly"] = input.assembly;
+  if (!input.format.empty()) reading["format"] = input.format;
+  if (input.frame != usual.frame) reading["model"] = input.frame;
+  if (input.max_input != usual.max_input) reading["max_input"] = input.max_input * 1'000'000;
+  if (!input.distance_bonds) reading["distance_bonds"] = false;
   return nb::module_::import_("pliant._trajectory.sources")
-      .attr("part_of")(argument, asked.input.select, assembly);
+      .attr("part_of")(argument, input.select, **reading);
 }
 
 ModelOptions options_of(AskedModel asked, ModelKind kind) {

@@ -13,8 +13,9 @@
 
 namespace pliant::python {
 
-/// Which arguments a function has: those of preparation, of contacts too, of samples too.
-enum class ModelArguments : std::uint8_t { preparation, contacts, all };
+/// Which arguments a function has: of a small molecule, of preparation, of contacts too, of samples
+/// too; of a path also the model, and what commands alone say of a file.
+enum class ModelArguments : std::uint8_t { small, preparation, contacts, all, path };
 
 /// What such arguments say.
 struct AskedModel {
@@ -29,10 +30,13 @@ std::string argument_texts(ModelArguments which);
 /// Their lines in a docstring.
 std::string argument_docs(ModelArguments which);
 
+/// Rows for commands that are written in Python.
+nb::list argument_rows(ModelArguments which);
+
 /// Takes them from `given`, and leaves what is another argument. Raises as take_values().
 AskedModel take_arguments(ModelArguments which, nb::dict given);
 
-/// As `structure_from`, of the assembly and atoms that are asked for.
+/// As `structure_from`, of the part of a file that is asked for.
 nb::object part_from(nb::handle argument, const AskedModel& asked);
 
 /// How a model of that kind is built. Throws OptionError for an argument that it has no use for.

@@ -58,29 +58,33 @@ ReadOptions read_options(std::int64_t model, const std::optional<std::string>& f
   return options;
 }
 
-Structure read(const std::filesystem::path& path, std::int64_t model,
-               const std::optional<std::string>& format, bool perceive_bonds,
-               std::uint64_t max_input, const nb::object& assembly) {
-  ReadOptions options = read_options(model, format, assembly);
-  options.max_input = max_input;
-  const nb::gil_scoped_release no_gil;
-  Structure structure = read_structure(path, options);
+/// What is read, a file or text, with its bonds. Needs the GIL not to be held.
+template <class Source>
+Structure read_from(const Source& source, const ReadOptions& options, bool perceive_bonds,
+                    bool distance_bonds) {
+  Structure structure = read_structure(source, options);
   BondOptions bonding;
+  bonding.guess_distances = distance_bonds;
   bonding.log = options.log;
   if (perceive_bonds) pliant::perceive_bonds(structure, bonding);
   return structure;
 }
 
+Structure read(const std::filesystem::path& path, std::int64_t model,
+               const std::optional<std::string>& format, bool perceive_bonds, bool distance_bonds,
+               std::uint64_t max_input, const nb::object& assembly) {
+  ReadOptions options = read_options(model, format, assembly);
+  options.max_input = max_input;
+  const nb::gil_scoped_release no_gil;
+  return read_from(path, options, perceive_bonds, distance_bonds);
+}
+
 Structure read_text(std::string_view text, std::string_view name, std::int64_t model,
                     const std::optional<std::string>& format, bool perceive_bonds,
-                    const nb::object& assembly) {
+                    bool distance_bonds, const nb::object& assembly) {
   const ReadOptions options = read_options(model, format, assembly);
   const nb::gil_scoped_release no_gil;
-  Structure structure = read_structure(SourceText{name, text}, options);
-  BondOptions bonding;
-  bonding.log = options.log;
-  if (perceive_bonds) pliant::perceive_bonds(structure, bonding);
-  return structure;
+  return read_from(SourceText{name, text}, options, perceive_bonds, distance_bonds);
 }
 
 Framework framework_of(const Structure& structure, const std::filesystem::path& bars,
@@ -151,6 +155,8 @@ format : str, optional
     A name in ``formats()``; default: by extension, then by content.
 perceive_bonds : bool
     Add bonds that the file does not state: residue templates, links, distances.
+distance_bonds : bool
+    Guess the bonds that are lacking then from distances.
 max_input : int
     Bytes that the file may have, and expand to, at most 2^32. What is larger is refused.
 assembly : int or str, optional
@@ -204,19 +210,21 @@ void bind_molecule(nb::module_& module) {
       .def("select", &select, "selection"_a, select_doc)
       .def("framework", &framework_of, "bars"_a = "bonds", "lengths"_a = "geometry", "pin"_a = "",
            nb::kw_only(), "use_masses"_a = true, framework_doc);
-  module.def("read", &read, "path"_a, "model"_a = 1, "format"_a = nb::none(), nb::kw_only(),
-             "perceive_bonds"_a = true, "max_input"_a = std::uint64_t{usual_text},
-             "assembly"_a = nb::none(),
-             nb::sig("def read(path: str | os.PathLike, model: int = 1, format: str | None = None, "
-                     "*, perceive_bonds: bool = True, max_input: int = 2000000000, "
-                     "assembly: int | str | None = None) -> Structure"),
-             read_doc);
+  module.def(
+      "read", &read, "path"_a, "model"_a = 1, "format"_a = nb::none(), nb::kw_only(),
+      "perceive_bonds"_a = true, "distance_bonds"_a = true,
+      "max_input"_a = std::uint64_t{usual_text}, "assembly"_a = nb::none(),
+      nb::sig("def read(path: str | os.PathLike, model: int = 1, format: str | None = None, "
+              "*, perceive_bonds: bool = True, distance_bonds: bool = True, "
+              "max_input: int = 2000000000, assembly: int | str | None = None) -> Structure"),
+      read_doc);
   module.def(
       "read_text", &read_text, "text"_a, "name"_a = "text", "model"_a = 1, "format"_a = nb::none(),
-      nb::kw_only(), "perceive_bonds"_a = true, "assembly"_a = nb::none(),
+      nb::kw_only(), "perceive_bonds"_a = true, "distance_bonds"_a = true,
+      "assembly"_a = nb::none(),
       nb::sig("def read_text(text: str, name: str = \"text\", model: int = 1, "
               "format: str | None = None, *, perceive_bonds: bool = True, "
-              "assembly: int | str | None = None) -> Structure"),
+              "distance_bonds: bool = True, assembly: int | str | None = None) -> Structure"),
       "Reads text in memory as ``read`` does; ``name`` is for messages and gives the extension.");
 }
 

@@ -10,7 +10,7 @@
 #include "interrupt.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
-#include "option_fields.hpp"
+#include "path/asked_path.hpp"
 #include "path/trace.hpp"
 #include "pliant/base/number.hpp"
 
@@ -71,18 +71,8 @@ class PythonPathWalk {
   PathWalk walk_;
 };
 
-void make_options(PathOptions* self, const nb::kwargs& named) {
-  nb::dict given(named);
-  PathOptions options;
-  take_values(path_fields(), given, options);
-  refuse_unknown(nb::type<PathOptions>().attr("__init__"), nb::make_tuple(nb::none()), given);
-  check(options);
-  new (self) PathOptions(std::move(options));
-}
-
-std::shared_ptr<PathEnds> matched(const Structure& start, const Structure& end,
-                                  PathOptions options) {
-  options.log = python_log();
+std::shared_ptr<PathEnds> matched(const Structure& start, const Structure& end, AskedPath options) {
+  options.model.log = python_log();
   const nb::gil_scoped_release no_gil;
   return std::make_shared<PathEnds>(match_ends(start, end, options));
 }
@@ -112,30 +102,6 @@ void record_walk(PythonPathWalk& self, LockedRecorder& recorder) {
   });
 }
 
-void bind_options(nb::module_& module) {
-  PathOptions usual;
-  const std::string doc = "What a path is asked for.\n\nParameters\n----------\n" +
-                          argument_docs(path_fields(), usual) +
-                          "\nRaises\n------\nOptionError\n    One is out of range.\n";
-  const std::string made =
-      "def __init__(self, *, " + argument_texts(path_fields(), usual) + ") -> None";
-  nb::class_<PathOptions> options(module, "PathOptions", doc.c_str());
-  options.def("__init__", &make_options, "options"_a, nb::sig(made.c_str()))
-      .def_prop_ro(
-          "arrived_within",
-          [](const PathOptions& self) { return find_path_atoms(self.atoms).arrived_within; },
-          "r.m.s. distance at which the end is reached, Angstrom.")
-      .def(
-          "parameters",
-          [](const PathOptions& self) { return parameters_to_python(parameters_of(self)); },
-          nb::sig("def parameters(self) -> dict[str, bool | int | float | str]"),
-          "Every option by its path below /parameters of a recorded file: \"path/step\".");
-  for (const auto& field : path_fields()) bind_value(options, field);
-  module.def(
-      "path_rows", [] { return rows_for_commands(path_fields(), PathOptions()); },
-      nb::sig("def path_rows() -> list[dict[str, typing.Any]]"), "The table of these options.");
-}
-
 constexpr const char* ends_doc =
     R"(Two structures of one molecule, matched: residues, atoms and contacts that both have.
 
@@ -157,7 +123,7 @@ InputError
 
 void bind_ends(nb::module_& module) {
   nb::class_<PathEnds>(module, "PathEnds", ends_doc)
-      .def(nb::new_(&matched), "start"_a, "end"_a, "options"_a = PathOptions())
+      .def(nb::new_(&matched), "start"_a, "end"_a, "options"_a = AskedPath())
       .def_prop_ro(
           "model", [](const PathEnds& self) -> const MolecularModel& { return self.start.model; },
           nb::rv_policy::reference_internal,
@@ -202,8 +168,7 @@ auto looking(Result (PathWalk::*at)() const) {
 
 void bind_walk(nb::module_& module) {
   nb::class_<PythonPathWalk>(module, "PathWalk", walk_doc)
-      .def(nb::init<std::shared_ptr<PathEnds>, PathOptions>(), "ends"_a,
-           "options"_a = PathOptions())
+      .def(nb::init<std::shared_ptr<PathEnds>, AskedPath>(), "ends"_a, "options"_a = AskedPath())
       .def(
           "advance", &PythonPathWalk::advance,
           "One step at most, of either molecule. False once the walk has ended. Releases the GIL;\n"
@@ -277,7 +242,7 @@ void bind_table(nb::module_& module) {
 
 void bind_path(nb::module_& module) {
   bind_trace(module);
-  bind_options(module);
+  bind_path_options(module);
   bind_ends(module);
   bind_table(module);
   bind_walk(module);

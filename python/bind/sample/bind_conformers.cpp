@@ -2,6 +2,7 @@
 // Conformers: starts, draws with our own energy, and the choice among them.
 #include "arrays.hpp"
 #include "messages.hpp"
+#include "model/model_arguments.hpp"
 #include "molecule/structure.hpp"
 #include "pliant/conformers/choice/choose_conformers.hpp"
 #include "pliant/jobs/conformers_task.hpp"
@@ -105,6 +106,10 @@ nb::object nearest(const nb::object& structure, const GivenFrames& positions,
 
 void bind_conformers(nb::module_& module) {
   using namespace nb::literals;
+  module.def(
+      "conformer_rows", [] { return argument_rows(ModelArguments::small); },
+      nb::sig("def conformer_rows() -> list[dict[str, typing.Any]]"),
+      "The table of what ``pliant conformers`` takes of the options of a molecule.");
   module.def("_draw_conformers", &draw, "structure"_a, "starts"_a, "frames"_a, "seed"_a,
              "turn_amides"_a = false, "threads"_a = 1);
   module.def("_choose_conformers", &choose_among, "structure"_a, "positions"_a, "energies"_a,

@@ -45,16 +45,11 @@ _RUN = (
     "model = pliant.build_model(molecule, {}=...), then pliant.%s(model.framework, model.positions)"
 )
 
-#: how functions are called that take what `build_model` makes, and which of its arguments then
-#: hold: `path` prepares again
-_WITH_MODEL: dict[str, tuple[str, tuple[str, ...]]] = {
-    "contacts": ("pliant.build_model(molecule, {}=...).contacts has it", ()),
-    "path": (
-        "pliant.path(pliant.build_model(start, {}=...), end) has it",
-        ("select", "assembly", "protonate", "fill_side_chains", "all_hydrogens"),
-    ),
-    "run": (_RUN % "run", ()),
-    "run_ensemble": (_RUN % "run_ensemble", ()),
+#: how functions are called that take what `build_model` makes
+_WITH_MODEL = {
+    "contacts": "pliant.build_model(molecule, {}=...).contacts has it",
+    "run": _RUN % "run",
+    "run_ensemble": _RUN % "run_ensemble",
 }
 
 #: of these, the text on the function says more: what they hold, their shapes
@@ -152,8 +147,7 @@ def _with_model(function: str, name: str) -> str:
 
     if function not in _WITH_MODEL or name not in signature_of(_core.build_model).parameters:
         return ""
-    call, taken = _WITH_MODEL[function]
-    return call.format(name) if not taken or name in taken else ""
+    return _WITH_MODEL[function].format(name)
 
 
 def _refuse_out_of_range(name: str, value: int, annotation: str) -> None:

@@ -177,15 +177,15 @@ def structure_of(given: Any) -> Structure:
     return kind_of(given).structure(given)
 
 
-def part_of(given: Any, select: str, assembly: int | str | None) -> Structure:
-    """The atoms that a selection names; of the file at a path, an assembly that it states.
+def part_of(given: Any, select: str, **reading: Any) -> Structure:
+    """The atoms that a selection names; the file at a path is read as `reading` says.
 
     Raises as `structure_of`, `read` and `Structure.select` do.
     """
-    if assembly is None:
+    if not reading:
         structure = structure_of(given)
     elif isinstance(given, (str, os.PathLike)) and Path(given).suffix.lower() not in H5MD:
-        structure = _read(given, assembly=assembly)
+        structure = _read(given, **reading)
     else:
-        raise OptionError("assembly: goes with the path of a file of a molecule")
+        raise OptionError(f"{next(iter(reading))}: goes with the path of a file of a molecule")
     return structure.select(select) if select else structure

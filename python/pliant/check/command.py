@@ -21,6 +21,10 @@ residue keeps its chirality, and in 95 % of the frames the energy ends at most 3
 --all-hydrogens keeps them clear of other atoms. Ligands, ions and modified residues have no
 parameters in amber14: they are left out, and the verdict is then of the protein alone.
 
+The atoms are those of the file. Which are selected, kept, added or protonated is said to pliant
+sample (--select, --keep, --fill-side-chains, --all-hydrogens, --protonate), whose file says it
+again; pliant check has none of the options of a molecule.
+
 examples:
   pliant check out.h5md
   pliant check ensemble.h5md --thorough

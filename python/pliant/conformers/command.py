@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pliant import console
-from pliant._core import FileError, InputError, OptionError
+from pliant._core import FileError, InputError, OptionError, conformer_rows
 from pliant._extras import need
 from pliant._processes import ended_by_signals, usual_workers
 from pliant.conformers.core import A_CONFORMER, FRAMES
@@ -22,6 +22,10 @@ from pliant.conformers.workers import Outcome
 
 EXIT_SOME_FAILED = 3
 COMMON = ("--output", "--max", "--rms", "--energy", "--embed", "--smiles", "--continue")
+MOST_INPUT = 10**9  #: megabytes: of a library one record at a time is in memory
+ROWS = [
+    row | ({"most": MOST_INPUT} if row["name"] == "max_input" else {}) for row in conformer_rows()
+]
 DESCRIPTION = """\
 Makes conformers of small molecules: a library in, ranked and pruned conformers out, as one SDF
 with the names and data items of the molecules. Candidates are drawn from several starts (torsions,
@@ -39,6 +43,8 @@ FILE may also be the PDB, mmCIF or XYZ file of one ligand. Bond orders are those
 (chem_comp_bond of mmCIF, doubled CONECT of PDB). Where it has none, RDKit guesses them from the
 hydrogens, if all are there. With --smiles TEXT, bond orders, charges and hydrogens are those of the
 SMILES, and heavy atoms stay where they are. A SMILES of another molecule or isomer is refused.
+--select takes the ligand out of a complex. It and the other options under Molecule (but
+--max-input) and Model go with the file of one ligand.
 
 The output does not depend on --threads; after a kill --continue gives the same bytes.
 
@@ -54,6 +60,7 @@ examples:
   pliant conformers --smiles "CC(=O)Oc1ccccc1C(=O)O" -o aspirin.sdf
   pliant conformers drawings.sdf --embed -o out.sdf --energy MMFF94s --minimise
   pliant conformers ligand.pdb --smiles "CC(=O)Oc1ccccc1C(=O)O" -o out.sdf
+  pliant conformers complex.pdb --select "resname STI" --smiles TEXT -o out.sdf
   pliant conformers --continue out.sdf              after Ctrl-C or a crash
   pliant conformers library.sdf --shard 3/16 -o part03.sdf     on the 3rd of 16 machines
 """
@@ -114,9 +121,6 @@ def _add_options_of_the_run(parser: console.Parser) -> None:
     add, whole = parser.add_argument, console.whole_number
     text = "only each n-th record from the i-th on, to share a library among machines"
     add("--shard", metavar="i/n", type=_shard, default=(1, 1), help=text)
-    most = ConformerOptions.max_input // 10**6
-    text = f"largest file accepted, in megabytes, also once it is decompressed (default: {most})"
-    add("--max-input", metavar="N", type=whole(1), default=most, help=text)
     text = "processes (default: as many as cores); changes no result"
     most = console.MOST_PROCESSES
     add("--threads", metavar="N", type=whole(1, most=most), default=usual_workers(), help=text)
@@ -124,6 +128,7 @@ def _add_options_of_the_run(parser: console.Parser) -> None:
     add("--json", action="store_true", help="print the summary as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")
     add("--verbose", action="store_true", help="print notes on each molecule")
+    console.add_rows(parser, ROWS)
 
 
 def _shard(text: str) -> tuple[int, int]:
@@ -173,7 +178,10 @@ def _conformers(arguments: argparse.Namespace) -> int:
 
 
 def _begun(arguments: argparse.Namespace) -> Journal:
-    is_ligand = arguments.file is not None and format_of(arguments.file) in LIGANDS
+    given = console.given(arguments, ROWS)
+    max_input = given.pop("max_input", 0) * 10**6 or ConformerOptions.max_input
+    kind = arguments.file and format_of(arguments.file, given.get("format"))
+    is_ligand = kind in LIGANDS
     if arguments.file is None and arguments.smiles is None:
         raise OptionError("expected FILE or --smiles TEXT, or --continue FILE")
     if arguments.file is not None and arguments.smiles is not None and not is_ligand:
@@ -190,17 +198,19 @@ def _begun(arguments: argparse.Namespace) -> Journal:
         embed=arguments.embed,
         salts=arguments.salts,
         amides=arguments.amides,
-        max_input=arguments.max_input * 10**6,
+        max_input=max_input,
         smiles=arguments.smiles if is_ligand else None,
+        molecule=given,
         dashes="--",
     )
     options.check()
+    options.check_source(is_ligand=is_ligand)
     output = _output(arguments)
     smiles = arguments.smiles or ""
     source = Source(arguments.file or "", "" if is_ligand else smiles, arguments.shard)
     if is_ligand:
         need("a PDB, mmCIF or XYZ file", "rdkit")
-    elif arguments.smiles is not None or format_of(arguments.file) in SMILES:
+    elif arguments.smiles is not None or kind in SMILES:
         need("a SMILES", "rdkit")
     if arguments.smiles is not None:
         _check_smiles(arguments.smiles)

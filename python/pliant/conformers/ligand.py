@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""One ligand whose file may state no bond orders: which of three ways finds them."""
+"""One ligand: the part of a file that it is, and, if that states no bond orders, where from."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
-from pliant._core import InputError, Structure
+from pliant import _core
+from pliant._core import InputError, OptionError, Structure
 from pliant._extras import need
 from pliant.adapters.rdkit import charges_of
 from pliant.adapters.smiles import metals_in
@@ -15,6 +17,39 @@ from pliant.conformers.template import by_smiles
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
+
+
+#: what says how a file is read, and how `read_text` calls that
+_READING = {
+    "format": "format",
+    "frame": "model",
+    "assembly": "assembly",
+    "distance_bonds": "distance_bonds",
+}
+
+
+def read_ligand(text: str, place: str, kind: str, asked: Mapping[str, Any]) -> Structure:
+    """The part of a file that is asked for by names of `conformer_rows()`.
+
+    Raises as `read_text` and `part_of` do.
+    """
+    reading = {_READING[name]: value for name, value in asked.items() if name in _READING}
+    structure = _core.read_text(text, place, **{"format": kind, **reading})
+    return part_of(structure, {k: v for k, v in asked.items() if k not in _READING})
+
+
+def part_of(structure: Structure, asked: Mapping[str, Any]) -> Structure:
+    """The selected atoms, prepared where that is asked for.
+
+    Raises as `Structure.select` and `prepare` do; OptionError for what says how a file is read.
+    """
+    for name in _READING:
+        if name in asked:
+            raise OptionError(f"{name}: goes with the path of a file of a molecule")
+    how = dict(asked)
+    if selection := how.pop("select", ""):
+        structure = structure.select(selection)
+    return _core.prepare(structure, **how).structure if how else structure
 
 
 def needs_orders(structure: Structure, options: ConformerOptions) -> bool:

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from pliant._core import FileError, OptionError
+from pliant._core import FileError, OptionError, conformer_rows
 from pliant._extras import need
 from pliant._refusals import shown
 from pliant.conformers.core import A_CONFORMER, FRAMES
@@ -16,6 +16,8 @@ from pliant.conformers.core import A_CONFORMER, FRAMES
 ENERGIES = ("auto", "none", "MMFF94s", "UFF", "own")
 OF_RDKIT = ("MMFF94s", "UFF")
 SALTS = ("largest", "refuse")
+#: how the command calls each
+_OPTIONS = {row["name"]: row.get("opposite", row["name"]) for row in conformer_rows()}
 
 
 @dataclass(frozen=True)
@@ -35,6 +37,8 @@ class ConformerOptions:
     amides: bool = False  #: secondary amides turn, too
     max_input: int = 2_000_000_000  #: bytes of a library, once it is decompressed
     smiles: str | None = None  #: of a ligand: its bond orders, charges and hydrogens
+    #: of a ligand: what was given of `conformer_rows()`, by name
+    molecule: dict[str, Any] = field(default_factory=dict)
     dashes: str = ""  #: before the names of options in messages: "--" for the command
 
     @property
@@ -81,6 +85,15 @@ class ConformerOptions:
                 f"{dashes}salts: expected {' or '.join(SALTS)}, found {shown(self.salts)}"
             )
         self._check_energy()
+
+    def check_source(self, *, is_ligand: bool) -> None:
+        """Raises OptionError for what only the file of one ligand has, or a Structure."""
+        if self.molecule and not is_ligand:
+            name = next(iter(self.molecule))
+            if self.dashes:
+                name = "--" + _OPTIONS[name].replace("_", "-")
+            other = "" if self.dashes else ", or a Structure"
+            raise OptionError(f"{name}: goes with a PDB, mmCIF or XYZ file of one ligand{other}")
 
     def _check_energy(self) -> None:
         dashes = self.dashes

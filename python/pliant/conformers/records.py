@@ -53,8 +53,10 @@ def short(name: str) -> str:
     return name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
 
 
-def format_of(path: str | os.PathLike[str]) -> str:
-    """The ending that says the format, such as ".sdf" of x.sdf.gz."""
+def format_of(path: str | os.PathLike[str], asked: str | None = None) -> str:
+    """The ending that says the format, such as ".sdf" of x.sdf.gz; that of the format `asked`."""
+    if asked:
+        return f".{asked}"
     name = Path(path)
     if name.suffix.lower() in COMPRESSED:
         name = name.with_suffix("")
@@ -74,17 +76,18 @@ def read_records(
     Raises FileError where it cannot be read, InputError where its name is that of another format,
     where it holds more than `max_input`, or where a compressed file ends early.
     """
-    name, kind = os.fspath(path), format_of(path)
-    if not is_library(name):
+    name, kind = os.fspath(path), format_of(path, options.molecule.get("format"))
+    if kind not in (*SDF, *SMILES, *LIGANDS):
         raise InputError(
             f"{name}: expected SDF, MOL, SMILES, PDB, mmCIF or XYZ (.sdf, .mol, .smi, .pdb, .cif, "
             ".xyz, each also .gz, .bz2, .xz)"
         )
-    split = _ligand_records
-    if kind not in LIGANDS:
-        split = _sdf_records if kind in SDF else _smiles_records
     lines = lines_of(name, MOST_TEXT, options.max_input, options.of_more_input)
-    yield from split(lines, Path(name).name)
+    if kind in LIGANDS:
+        yield from _ligand_records(lines, Path(name).name, LIGANDS[kind])
+    else:
+        split = _sdf_records if kind in SDF else _smiles_records
+        yield from split(lines, Path(name).name)
 
 
 def _sdf_records(lines: Iterable[str], source: str) -> Iterator[Record]:
@@ -124,7 +127,7 @@ def _smiles_records(lines: Iterable[str], source: str) -> Iterator[Record]:
         yield smiles_record(words[0], words[1].strip() if len(words) > 1 else "", number, source)
 
 
-def _ligand_records(lines: Iterable[str], source: str) -> Iterator[Record]:
+def _ligand_records(lines: Iterable[str], source: str, kind: str) -> Iterator[Record]:
     kept, size = list[str](), 0
     for line in lines:
         size += len(line)
@@ -134,10 +137,9 @@ def _ligand_records(lines: Iterable[str], source: str) -> Iterator[Record]:
                 "pliant sample takes proteins"
             )
         kept.append(line)
-    kind = format_of(source)
-    name = source[: source.lower().rindex(kind)]
+    name = source[: source.lower().rindex(format_of(source))]
     if _has_text(kept):
-        yield Record(1, "".join(kept), name, source=source, format=LIGANDS[kind])
+        yield Record(1, "".join(kept), name, source=source, format=kind)
 
 
 def smiles_record(smiles: str, name: str = "", number: int = 1, source: str = "") -> Record:

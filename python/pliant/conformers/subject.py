@@ -24,7 +24,7 @@ from pliant.conformers.hydrogens import (
     names_of,
     numbered,
 )
-from pliant.conformers.ligand import needs_orders, ordered
+from pliant.conformers.ligand import needs_orders, ordered, read_ligand
 from pliant.conformers.mol_block import MolBlock, block_of, filled, one_line, parse
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.parts import check_elements, check_elements_of_mol, kept_part
@@ -76,7 +76,7 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
     if record.format != "sdf":
         return _of_ligand(record, options)
     with noted() as notes:
-        structure = _structure_of(record)
+        structure = _core.read_text(_text_of(record), record.place, format="sdf")
     block = parse(record.text)
     check_elements(
         structure, [(before + after).split()[0] for before, after in block.atoms], record.place
@@ -101,14 +101,13 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
     return _completed(subject, missing, labels, record.place) if missing else subject
 
 
-def _structure_of(record: Record) -> Structure:
-    text = record.text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
-    return _core.read_text(text, record.place, format=record.format)
+def _text_of(record: Record) -> str:
+    return record.text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
 
 
 def _of_ligand(record: Record, options: ConformerOptions) -> Subject:
     with noted() as notes:
-        structure = _structure_of(record)
+        structure = read_ligand(_text_of(record), record.place, record.format, options.molecule)
     most = max(map(len, block_of(structure).components()))
     if most > MOST_ATOMS:
         raise InputError(
@@ -119,7 +118,7 @@ def _of_ligand(record: Record, options: ConformerOptions) -> Subject:
         raise InputError(f"{record.place}: expected one ligand, found atoms without any bond")
     subject = subject_of_structure(structure, options, record.name)
     subject.notes[:0] = notes
-    if structure.model_count > 1:
+    if structure.model_count > 1 and "frame" not in options.molecule:
         subject.warnings.insert(0, f"the first of {structure.model_count} models is used")
     return subject
 

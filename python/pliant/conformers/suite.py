@@ -3,15 +3,17 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 import warnings
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from pliant._core import Error, OptionError, PliantWarning, Structure
+from pliant._core import Error, OptionError, PliantWarning, Structure, conformer_rows
 from pliant._extras import MissingPackageError, need
 from pliant._processes import usual_workers
-from pliant._refusals import shown
+from pliant._refusals import refuse_unknown, shown
+from pliant.conformers.ligand import part_of
 from pliant.conformers.make import make
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import (
@@ -47,6 +49,7 @@ def conformers(
     max_input: int = 2_000_000_000,
     smiles: str | None = None,
     threads: int | None = None,
+    **molecule_options: Any,
 ) -> Any:
     """Return ranked conformers of a molecule, or an iterator over those of a library.
 
@@ -91,6 +94,11 @@ def conformers(
         guesses orders that are not known from the hydrogens, if all are there.
     threads : int, optional
         Changes no result. By default as many as cores.
+    **molecule_options
+        Of a structure, or the ligand of a PDB, mmCIF or XYZ file: `select`, `assembly`, `keep`,
+        `keep_waters`, `fill_side_chains`, `all_hydrogens` and `protonate` as for ``prepare``, which
+        is called where one of the last five is given; `frame`, `format` and `distance_bonds` of the
+        file as for ``pliant sample``.
 
     Returns
     -------
@@ -128,11 +136,13 @@ def conformers(
         amides,
         max_input,
         smiles,
+        _given(molecule_options),
     )
     options.check()
     workers = usual_workers() if threads is None else threads
-    if isinstance(molecule, (str, os.PathLike)) and _is_path(molecule):
-        _check_smiles(options, is_ligand=format_of(molecule) in LIGANDS)
+    kind = options.molecule.get("format")
+    if isinstance(molecule, (str, os.PathLike)) and (kind or _is_path(molecule)):
+        _check_source(options, is_ligand=format_of(molecule, kind) in LIGANDS)
         return _of_path(molecule, options, workers)
     if _is_molecule(molecule):
         return _of_one(molecule, options, workers, _name(molecule) or "the molecule")
@@ -142,6 +152,13 @@ def conformers(
         f"molecule = {shown(molecule)}: must be an rdkit.Chem.Mol, a SMILES, a Structure, a path "
         "or an iterable of molecules"
     )
+
+
+def _given(named: dict[str, Any]) -> dict[str, Any]:
+    """What is not as usual. Raises TypeError for a name that there is not."""
+    usual = {row["name"]: row["default"] for row in conformer_rows() if row["name"] != "max_input"}
+    refuse_unknown("conformers", [*inspect.signature(conformers).parameters, *usual], named)
+    return {name: x for name, x in named.items() if x not in (None, usual[name], ())}
 
 
 def _is_path(given: str | os.PathLike[str]) -> bool:
@@ -184,7 +201,8 @@ def _found(
     return Conformers(made, number)
 
 
-def _check_smiles(options: ConformerOptions, *, is_ligand: bool) -> None:
+def _check_source(options: ConformerOptions, *, is_ligand: bool) -> None:
+    options.check_source(is_ligand=is_ligand)
     if options.smiles is not None and not is_ligand:
         raise OptionError(
             "smiles: expected None, or as molecule a Structure, or a PDB, mmCIF or XYZ file"
@@ -192,12 +210,12 @@ def _check_smiles(options: ConformerOptions, *, is_ligand: bool) -> None:
 
 
 def _subject(given: Any, options: ConformerOptions) -> Subject:
-    _check_smiles(options, is_ligand=isinstance(given, Structure))
+    _check_source(options, is_ligand=isinstance(given, Structure))
     if isinstance(given, str):
         need("a SMILES", "rdkit")
         return subject_of(smiles_record(given), options)
     if isinstance(given, Structure):
-        return subject_of_structure(given, options)
+        return subject_of_structure(part_of(given, options.molecule), options)
     return subject_of_mol(given, options)
 
 

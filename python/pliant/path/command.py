@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pliant import console
-from pliant._core import OptionError, PathOptions, path_rows, read
+from pliant._core import OptionError, PathOptions, path_rows
 from pliant._output.new_file import new_text
 from pliant._output_names import check_trajectory_name
 from pliant._said import notes_shown_by
@@ -29,6 +29,9 @@ Residues are matched by chain and number, else by sequence. Contacts that both s
 held on the way; those in only one of them, or of unmatched atoms, are not held. Ligands
 and metals are matched by chain, number and name. Bonds, angles and planar groups are those of
 START, exact in each frame, and atoms do not overlap.
+
+--select, --frame, --format, --contacts and --floppy-below are about START; all other options under
+Molecule and Model hold for END, too. Contacts that are given replace those found in START.
 
 If the direct path does not reach END, parts that keep their shape are rotated as rigid bodies,
 provided that one of them turns by 45 degrees or more.
@@ -74,7 +77,6 @@ def make_parser() -> console.Parser:
     add(
         "-o", "--output", metavar="FILE", required=True, help="H5MD trajectory or PDB file to write"
     )
-    add("--select", metavar="SELECTION", help='part of START to move, such as "chainID A"')
     console.add_rows(parser, path_rows(), {"backtrack": ATTEMPTS})
     add("--csv", metavar="FILE", help="also write the table of frames")
     add("--overwrite", action="store_true", help="replace existing outputs")
@@ -92,11 +94,9 @@ def _path(arguments: argparse.Namespace) -> int:
     from pliant.path import walk
 
     _check_outputs(arguments)
-    options = PathOptions(**{row["name"]: getattr(arguments, row["name"]) for row in path_rows()})
+    options = PathOptions(**console.given(arguments, path_rows()))
     with notes_shown_by(console.note):
-        start, end = read(arguments.start), read(arguments.end)
-        if arguments.select:
-            start = start.select(arguments.select)
+        start, end = options.start_of(arguments.start), options.end_of(arguments.end)
     with console.progress("path") as show:
         path = walk.find(
             start,

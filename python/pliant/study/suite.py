@@ -182,8 +182,10 @@ class _Task:
             return
         on_stage("path")
         output = self.folder / "path.h5md"
-        options = PathOptions(seed=self.seed, keep=self.keep)
-        found.path = walk.find(self.file, self.end, options, output, overwrite=True)
+        kept = [name for name in self.keep.split(",") if name]
+        options = PathOptions(seed=self.seed, keep=kept)
+        ends = options.start_of(self.file), options.end_of(self.end)
+        found.path = walk.find(*ends, options, output, overwrite=True)
         found.end = Path(self.end).name
         found.outputs["path"] = output
 

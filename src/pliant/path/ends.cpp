@@ -58,21 +58,25 @@ Indices leaders(const MolecularModel& model, const MatchedSide& side) {
   return leader;
 }
 
-ModelOptions model_options(const PathOptions& asked) {
-  ModelOptions options;
+MolecularModel model_of_start(const Structure& structure, ModelOptions options) {
   options.torsions = false;  // those of the end may be others
-  for (std::size_t at = 0; at < asked.keep.size();) {
-    const std::size_t comma = std::min(asked.keep.find(',', at), asked.keep.size());
-    options.prepare.keep.push_back(asked.keep.substr(at, comma - at));
-    at = comma + 1;
-  }
-  return options;
+  return build_model(structure, options);
 }
 
+MolecularModel model_of_end(const Structure& structure, ModelOptions options) {
+  options.contacts.reset();
+  options.contacts_file.clear();
+  options.prepare.floppy_below = 0.0;
+  return model_of_start(structure, std::move(options));
+}
+
+/// A second model of a structure, which says nothing.
 MolecularModel model_with(const Structure& structure, std::vector<MolecularContact> contacts,
                           ModelOptions options) {
   options.contacts = std::move(contacts);
-  return build_model(structure, options);
+  options.more_contacts.clear();
+  options.log = options.prepare.log = {};
+  return model_of_start(structure, std::move(options));
 }
 
 PathSide side_of(MolecularModel model, const MatchedSide& side) {
@@ -145,7 +149,9 @@ std::vector<MolecularContact> as_ours(const std::vector<MolecularContact>& conta
 class EndsMatcher {
  public:
   EndsMatcher(const Structure& start, const Structure& end, const PathOptions& options)
-      : options_(options), whole_(build(start)), goal_(build(end)) {}
+      : options_(options),
+        whole_(model_of_start(start, options.model)),
+        goal_(model_of_end(end, options.model)) {}
 
   PathEnds match(const Structure& start, const Structure& end) {
     std::vector<std::string> notes = match_traces();
@@ -154,30 +160,23 @@ class EndsMatcher {
     const ResiduePairing all = with_ligands(here, there, {ours_.residues, theirs_.residues});
     const MatchedAtoms ours(here, all.ours), theirs(there, all.theirs);
     SharedContacts contacts = share_contacts(whole_.contacts, ours, goal_.contacts, theirs);
-    PathEnds found{.start = side_of(
-                       model_with(start, std::move(contacts.ours), model_options(options_)), ours_),
-                   .end = std::nullopt,
-                   .goal = {},
-                   .matched = ours_.residues.size(),
-                   .end_contacts = contacts.only_theirs.size(),
-                   .to_lose = std::move(contacts.only_ours),
-                   .to_make = as_ours(contacts.only_theirs, theirs, ours),
-                   .source_of_end = there.source,
-                   .notes = std::move(notes)};
+    PathEnds found{
+        .start = side_of(model_with(start, std::move(contacts.ours), options_.model), ours_),
+        .end = std::nullopt,
+        .goal = {},
+        .matched = ours_.residues.size(),
+        .end_contacts = contacts.only_theirs.size(),
+        .to_lose = std::move(contacts.only_ours),
+        .to_make = as_ours(contacts.only_theirs, theirs, ours),
+        .source_of_end = there.source,
+        .notes = std::move(notes)};
     for (std::uint32_t atom : theirs_.asked) found.goal.push_back(goal_.positions[atom]);
     if (options_.both)
-      found.end =
-          side_of(model_with(end, std::move(contacts.theirs), model_options(options_)), theirs_);
+      found.end = side_of(model_with(end, std::move(contacts.theirs), options_.model), theirs_);
     return found;
   }
 
  private:
-  MolecularModel build(const Structure& structure) const {
-    ModelOptions options = model_options(options_);
-    options.log = options_.log;
-    return build_model(structure, options);
-  }
-
   /// Matches the traces; returns notes on how.
   std::vector<std::string> match_traces() {
     const Trace ours = trace_of(whole_.structure), theirs = trace_of(goal_.structure);

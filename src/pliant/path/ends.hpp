@@ -35,8 +35,8 @@ struct PathEnds {
   std::vector<std::string> notes;  ///< how residues were matched
 };
 
-/// Builds models of both structures (build_model: without waters, with polar hydrogens) and matches
-/// them (match_residues). Each model keeps the contacts that both have. Ligands and metals are
+/// Builds models of both structures (build_model, by PathOptions::model) and matches them
+/// (match_residues). Each model keeps the contacts that both have. Ligands and metals are
 /// matched by chain, number and name; contacts of unmatched residues are dropped, and do not count.
 /// Throws OptionError, and InputError if the two are not the same molecule or have neither proteins
 /// nor nucleic acids.

@@ -40,11 +40,6 @@ const OptionField<PathOptions> table[] = {
      at<&PathOptions::backtrack>},
     {{.name = "seed", .summary = "seed of the detours", .in_python = "Of the detours."},
      at<&PathOptions::seed>},
-    {{.name = "keep",
-      .summary = "keep these crystallisation additives, such as GOL,SO4, or all",
-      .kind = "NAMES",
-      .in_python = "Crystallisation additives to keep, such as ``GOL,SO4``, or ``all``."},
-     at<&PathOptions::keep>},
 };
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pliant/base/log.hpp"
 #include "pliant/base/option_fields.hpp"
+#include "pliant/model/model.hpp"
 
 namespace pliant {
 
@@ -36,9 +36,10 @@ struct PathOptions {
   bool both = false;           ///< both structures first move towards each other
   std::int64_t backtrack = 0;  ///< largest number of detours, 0 to 1000
   std::uint64_t seed = 0;      ///< of the detours
-  std::string keep = {};       ///< additives that stay (PrepareOptions), between commas, or "all"
+  /// How both ends are prepared, and what holds them. Contacts that are given and `floppy_below`
+  /// are of the start alone; torsions are never preferred.
+  ModelOptions model = {};
   std::function<bool()> should_stop = {};  ///< called after each sweep; true ends the step
-  Log log = {};                            ///< receives messages of preparation
 };
 
 /// The table from which the command's options, Python's keywords, the page's settings, what files

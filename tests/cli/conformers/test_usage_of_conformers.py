@@ -52,7 +52,17 @@ def two(tmp_path):
         ("{} -o out.h5md", "--output out.h5md: expected a name that ends in .sdf or .sdf.gz"),
         ("{} --max 0", "-n/--max: expected a whole number from 1, found '0'"),
         ("{} --shard 4/3", "--shard: expected i/n with i from 1 to n, found '4/3'"),
-        ("{} --max-input 0", "--max-input: expected a whole number from 1, found '0'"),
+        (
+            "{} --max-input 0",
+            "--max-input: expected a whole number from 1 to 1000000000, found '0'",
+        ),
+        ("{} --select name", "--select: goes with a PDB, mmCIF or XYZ file of one ligand"),
+        ("lost.smi --keep GOL", "--keep: goes with a PDB, mmCIF or XYZ file of one ligand"),
+        (
+            "--smiles C -o x.sdf --no-distance-bonds",
+            "--no-distance-bonds: goes with a PDB, mmCIF or XYZ file of one ligand",
+        ),
+        ("x.pdb --contacts c.csv", "unrecognized arguments: --contacts c.csv"),
         (
             "--continue out.sdf --max-input 3",
             "--max-input: --continue goes on with what was asked for before",

@@ -2,6 +2,7 @@
 """PDB, mmCIF and XYZ files of one ligand: bond orders as stated, from hydrogens, or by a SMILES."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -297,3 +298,64 @@ def test_a_smiles_is_for_a_ligand(molecule):
     assert str(caught.value) == (
         "smiles: expected None, or as molecule a Structure, or a PDB, mmCIF or XYZ file"
     )
+
+
+DIPEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "alanine_dipeptide.pdb"
+
+
+def test_a_ligand_is_taken_out_of_a_complex(alanine, tmp_path):
+    alone = written(alanine, tmp_path / "x.pdb")
+    (expected,) = pliant.conformers(alone, **FAST)
+    beside = [line for line in DIPEPTIDE.read_text().splitlines() if line.startswith("ATOM")]
+    ligand = [line for line in alone.read_text().splitlines() if not line.startswith("END")]
+    moved = [
+        f"ATOM  {900 + int(line[6:11]):5d}{line[11:30]}{float(line[30:38]) + 50:8.3f}{line[38:]}"
+        for line in beside
+    ]
+    both = tmp_path / "complex.pdb"
+    both.write_text("\n".join([*ligand, *moved, "END", ""]))
+    (found,) = pliant.conformers(both, select="resname UNL", **FAST)
+    assert np.array_equal(found.positions, expected.positions)
+    of_structure = pliant.conformers(pliant.read(both), select="resname UNL", **FAST)
+    assert np.array_equal(of_structure.positions, expected.positions)
+    (other,) = pliant.conformers(both, select="not resname UNL", **FAST)
+    assert len(other.structure) == len(beside)
+
+
+def test_a_peptide_is_prepared_as_everywhere(tmp_path):
+    heavy = [line for line in DIPEPTIDE.read_text().splitlines() if line[76:78] != " H"]
+    path = tmp_path / "x.pdb"
+    path.write_text("\n".join([*heavy, ""]))
+    (failed,) = pliant.conformers(path, **FAST)
+    assert "without its hydrogens" in failed.reason
+    (made,) = pliant.conformers(path, all_hydrogens=True, **FAST)
+    whole = pliant.prepare(path, all_hydrogens=True).structure
+    expected = pliant.conformers(whole, **FAST)
+    assert np.array_equal(made.positions, expected.positions)
+    assert (made.structure.elements == 1).sum() == 12
+
+
+def test_another_frame_of_a_file_is_taken(tmp_path):
+    frames = [embedded("CCO", seed) for seed in (1, 2)]
+    path = tmp_path / "x.xyz"
+    path.write_text("".join(map(Chem.MolToXYZBlock, frames)))
+    made = subject(path, "CCO", molecule={"frame": 2})
+    assert made.warnings == []
+    assert made.structure.positions == pytest.approx(pliant.read(path, 2).positions)
+
+
+@pytest.mark.parametrize("molecule", ["CCO", Chem.MolFromSmiles("CCO"), "lost.sdf"])
+def test_what_only_a_ligand_has_is_refused_before_anything_is_read(molecule):
+    with pytest.raises(pliant.OptionError) as error:
+        pliant.conformers(molecule, select="name C1")
+    assert str(error.value) == (
+        "select: goes with a PDB, mmCIF or XYZ file of one ligand, or a Structure"
+    )
+
+
+def test_what_holds_only_in_a_protein_is_no_argument(alanine):
+    with pytest.raises(TypeError, match="conformers: has no argument 'hbond_cutoff'"):
+        pliant.conformers(alanine, hbond_cutoff=-2)
+    with pytest.raises(pliant.OptionError) as error:
+        pliant.conformers(pliant.read(DIPEPTIDE), assembly=1)
+    assert str(error.value) == "assembly: goes with the path of a file of a molecule"

@@ -149,8 +149,6 @@ RUN = (
     [
         ("contacts", "all_hydrogens", ": pliant.build_model(molecule, {}=...).contacts has it"),
         ("contacts", "keep", ": pliant.build_model(molecule, {}=...).contacts has it"),
-        ("path", "all_hydrogens", ": pliant.path(pliant.build_model(start, {}=...), end) has it"),
-        ("path", "hbond_cutoff", "; help(pliant.path) lists them"),  # it finds contacts of its own
         ("run", "fill_side_chains", ": " + RUN % "run"),
         ("run_ensemble", "hbond_cutoff", ": " + RUN % "run_ensemble"),
     ],
