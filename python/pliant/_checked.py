@@ -69,14 +69,17 @@ def checked(**wanted: Wanted) -> Callable[[Callable[P, R]], Callable[P, R]]:
 
     def wrap(function: Callable[P, R]) -> Callable[P, R]:
         parameters = inspect.signature(function).parameters.values()
-        annotations = {one.name: str(one.annotation) for one in parameters}
+        takes_more = any(one.kind is one.VAR_KEYWORD for one in parameters)
+        named_ones = (one for one in parameters if one.kind is not one.VAR_KEYWORD)
+        annotations = {one.name: str(one.annotation) for one in named_ones}
 
         @functools.wraps(function)
         def call(*positional: P.args, **named: P.kwargs) -> R:
-            refuse_unknown(function.__name__, annotations, named)
+            if not takes_more:  # then the function looks at these
+                refuse_unknown(function.__name__, annotations, named)
             given = dict(zip(annotations, positional, strict=False)) | named
-            for name, value in given.items():
-                _look_at(name, value, annotations[name], wanted)
+            for name in annotations.keys() & given:
+                _look_at(name, given[name], annotations[name], wanted)
             return function(*positional, **named)
 
         return call

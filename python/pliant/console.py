@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import errno
 import importlib.util
 import json
@@ -105,6 +106,13 @@ class Parser(argparse.ArgumentParser):
         needed = [one for one in self._actions if one.option_strings and one.required]
         words += [f"{one.option_strings[0]} {one.metavar or one.dest.upper()}" for one in needed]
         return " ".join([*words, "[OPTIONS]"]).replace("%", "%%")
+
+    def expect_no_more(self, rest: Sequence[str]) -> None:
+        """Raises OptionError for the first of the words that are no options here."""
+        for word in rest:
+            like = difflib.get_close_matches(word, self._option_string_actions, 1)
+            hint = f" (did you mean {like[0]}?)" if like else ""
+            raise OptionError(f'unexpected argument "{word}"{hint}')
 
     def error(self, message: str) -> NoReturn:
         """Prints the one-line error and ends with exit code 2."""

@@ -17,6 +17,7 @@ from pliant.console import (
     EXIT_FAILED,
     EXIT_OK,
     counted,
+    given,
     note,
     print_json,
     printable,
@@ -29,7 +30,7 @@ from pliant.ensemble.command_options import ensemble_parser
 from pliant.ensemble.drive import Outcome, complete
 from pliant.ensemble.folder_lock import alone_in
 from pliant.ensemble.make_shard import Making, check_options, make_shard
-from pliant.ensemble.options import parse_options
+from pliant.ensemble.options import Options, add_options
 from pliant.ensemble.plan import (
     PLAN,
     EnsemblePlan,
@@ -55,18 +56,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _main(words: list[str]) -> int:
     with ended_by_signals("ensemble", {"SIGUSR1": EXIT_AGAIN}):
-        # What an option is followed by is only known once the input is out of the way.
-        file = words[0] if words and not words[0].startswith("-") else None
-        options, passed_on = ensemble_parser().parse_known_args(words[1:] if file else words)
-        return _in_time(file, options, passed_on, words)
+        parser = ensemble_parser()
+        asked, _ = parser.parse_known_args(words)  # what the others are is known then
+        asked.task = _task(asked)
+        rows = add_options(parser, asked.task, vars(asked)) if asked.task else []
+        options, rest = parser.parse_known_args(words, argparse.Namespace(task=asked.task))
+        parser.expect_no_more(rest)
+        return _in_time(options, given(options, rows), words)
 
 
-def _in_time(
-    file: str | None, options: argparse.Namespace, passed_on: list[str], words: list[str]
-) -> int:
+def _task(asked: argparse.Namespace) -> str:
+    """That of the shards; "" of an ensemble that is there."""
+    for name in ("verify", "only"):
+        if getattr(asked, name) is not None:
+            return ""
+    if (asked.walkers is None) == (asked.frames is None):
+        raise OptionError("expected --walkers N (of pliant run) or --frames N (of pliant sample)")
+    return "run" if asked.frames is None else "sample"
+
+
+def _in_time(options: argparse.Namespace, passed_on: Options, words: list[str]) -> int:
     options.deadline = deadline_of(options.walltime, time.time())
     try:
-        return _ensemble(file, options, passed_on, words)
+        return _ensemble(options, passed_on, words)
     except OutOfTimeError:
         text = f"--walltime {options.walltime} is nearly over: the same command goes on"
         print(f"pliant ensemble: {text}", file=sys.stderr)
@@ -77,22 +89,21 @@ def _how(options: argparse.Namespace) -> Making:
     return Making(options.scratch, options.deadline, options.commit_seconds)
 
 
-def _ensemble(
-    file: str | None, options: argparse.Namespace, passed_on: list[str], words: list[str]
-) -> int:
+def _ensemble(options: argparse.Namespace, passed_on: Options, words: list[str]) -> int:
+    if not options.task and options.input is not None:
+        name = "--only" if options.verify is None else "--verify"
+        raise OptionError(f'unexpected argument "{options.input}": does not go with {name}')
     if options.verify is not None:
-        _expect_no_more(file, passed_on, "--verify")
         return _verify(options)
     if options.output is None:
         raise OptionError("-o DIR: expected the folder of the ensemble")
     folder = Path(options.output)
     if options.only is not None:
-        _expect_no_more(file, passed_on, "--only")
         return _make_one(folder, options)
     if options.slurm_script is None and not (folder / PLAN).exists():
         need("pliant ensemble", "dask", "distributed")  # before anything is made
     _expect_one_place(options)
-    plan = _plan(file, options, passed_on)
+    plan = _plan(options, passed_on)
     with alone_in(folder):
         if options.slurm_script is not None:
             return _write_script(plan, folder, options, words)
@@ -109,20 +120,11 @@ def _expect_one_place(options: argparse.Namespace) -> None:
         raise OptionError(f"{given[0]}: does not go with {given[1]}: expected one place")
 
 
-def _expect_no_more(file: str | None, passed_on: list[str], name: str) -> None:
-    for word in [file, *passed_on]:
-        if word is not None:
-            raise OptionError(f'unexpected argument "{word}": does not go with {name}')
-
-
-def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -> EnsemblePlan:
-    if file is None:
-        raise OptionError("INPUT: expected a file before all options")
-    if (options.walkers is None) == (options.frames is None):
-        raise OptionError("expected --walkers N (of pliant run) or --frames N (of pliant sample)")
-    command = "run" if options.frames is None else "sample"
+def _plan(options: argparse.Namespace, passed_on: Options) -> EnsemblePlan:
+    if options.input is None:
+        raise OptionError("INPUT: expected a file")
     count = options.walkers or options.frames
-    return make_plan(command, file, count, options.shard_size, parse_options(passed_on, command))
+    return make_plan(options.task, options.input, count, options.shard_size, passed_on)
 
 
 def _make_all(plan: EnsemblePlan, folder: Path, options: argparse.Namespace) -> int:

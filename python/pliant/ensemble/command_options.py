@@ -58,6 +58,12 @@ def ensemble_parser() -> Parser:
 
 
 def _add_ensemble(add: Callable[..., object]) -> None:
+    add(
+        "input",
+        metavar="INPUT",
+        nargs="?",
+        help="molecule, as pliant run or pliant sample takes it",
+    )
     add("-o", "--output", metavar="DIR", help="folder of the ensemble")
     number = whole_number(1, most=MOST)
     add("--walkers", type=number, metavar="N", help="walkers of pliant run in all")

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -13,19 +12,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import BinaryIO
 
-from pliant._core import Error, InputError, OptionError
+from pliant._core import InputError
+from pliant._jobs import JobEndedError, run_job
 from pliant._processes import die_with_parent
-from pliant.console import EXIT_INTERRUPTED, command_path, warn
+from pliant.console import EXIT_INTERRUPTED, warn
 from pliant.ensemble.commits import remove_logs, take_log
 from pliant.ensemble.inspect_shard import ShardRecord, check_shard, inspect_shard
 from pliant.ensemble.plan import EnsemblePlan, Shard
 from pliant.ensemble.scratch import Unfinished, place_of, publish, remove_left, unfinished
 from pliant.ensemble.time_limit import OutOfTimeError, seconds_left
-
-_WITH_FRAMES = (0, 3)  #: exit codes of a command that has written all that it could
-_BAD_OPTION = 2
 
 #: Tells a command to commit and end, however often it comes.
 _END = getattr(signal, "SIGUSR1", signal.SIGTERM)
@@ -45,10 +41,6 @@ class Making:
     owner: str = field(default_factory=lambda: uuid.uuid4().hex[:8])
 
 
-class ShardError(Error):
-    """A shard could not be made; another attempt might succeed."""
-
-
 def make_shard(
     plan: EnsemblePlan, shard: Shard, folder: str, how: Making | None = None
 ) -> ShardRecord:
@@ -57,8 +49,8 @@ def make_shard(
     What an attempt before this one has committed is not made again; the bytes are the same.
 
     The file takes its name when it is whole, and then replaces one that is not. Where two make the
-    same shard, the first one's file stays. Raises OptionError if the command takes an option for
-    bad, ShardError if it fails, OutOfTimeError where the deadline came first.
+    same shard, the first one's file stays. Raises as `run_job`, OptionError where no other attempt
+    would succeed, and OutOfTimeError where the deadline came first.
     """
     target = Path(folder, shard.name)
     is_damaged = False
@@ -82,61 +74,52 @@ def make_shard(
 def _call_for(
     plan: EnsemblePlan, shard: Shard, made: Unfinished, folder: Path, how: Making
 ) -> None:
-    """Calls the command that makes a shard."""
-    words = [*plan.words(shard, str(made.path)), "--commits", str(take_log(folder, plan, shard))]
+    """Calls the command that makes a shard. It is told to commit and end where this process has to.
+
+    It holds the lock as long as it lives, also longer than this process.
+    """
+    job = plan.job(shard, str(made.path)) | {"commits": str(take_log(folder, plan, shard))}
     if how.commit_seconds is not None:
-        words += ["--commit-seconds", str(how.commit_seconds)]
-    _call(words, how.deadline, made.lock)
+        job["commit_seconds"] = how.commit_seconds
+    try:
+        run_job(
+            job,
+            "--quiet",
+            talk=partial(_until, how.deadline),
+            start_new_session=True,  # Ctrl-C is for the ensemble
+            preexec_fn=_end_with_parent(),
+            pass_fds=[made.lock.fileno()] if made.lock is not None and os.name == "posix" else [],
+        )
+    except JobEndedError as error:
+        # -_END: told before it had begun to listen, as on a busy machine
+        if how.deadline is not None and error.args[1] in (EXIT_INTERRUPTED, -_END):
+            raise OutOfTimeError from None
+        raise
 
 
 def check_options(plan: EnsemblePlan, folder: str) -> None:
     """Raises as make_shard does where the input or the options are bad; makes nothing."""
-    words = plan.words(plan.shard(0), str(Path(folder, "nothing.h5md")))
-    _call([*words, "--dry-run"])
+    run_job(plan.job(plan.shard(0), str(Path(folder, "nothing.h5md"))), "--dry-run")
 
 
-def _call(words: list[str], deadline: float | None = None, lock: BinaryIO | None = None) -> str:
-    """What the command printed. It is told to commit and end where this process has to.
-
-    It holds the lock as long as it lives, also longer than this process.
-    """
-    kept = [lock.fileno()] if lock is not None and os.name == "posix" else []
-    with subprocess.Popen(
-        [command_path(), *words],
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        errors="surrogateescape",
-        start_new_session=True,  # Ctrl-C is for the ensemble
-        preexec_fn=_end_with_parent(),
-        pass_fds=kept,
-    ) as command:
-        try:
-            out, err = command.communicate(timeout=seconds_left(deadline))
-        except subprocess.TimeoutExpired:
-            out, err = _told_to_end(command)
-        except BaseException:
-            _told_to_end(command)
-            raise
-    if command.returncode in _WITH_FRAMES:
-        return out
-    # -_END: told before it had begun to listen, as on a busy machine
-    if deadline is not None and command.returncode in (EXIT_INTERRUPTED, -_END):
-        raise OutOfTimeError
-    why = (err.strip().splitlines() or [f"ended with {command.returncode}"])[0]
-    why = re.sub(r"^pliant( \w+)?: error: ", "", why)
-    raise (OptionError if command.returncode == _BAD_OPTION else ShardError)(why)
+def _until(deadline: float | None, command: subprocess.Popen[bytes], text: bytes) -> bytes:
+    try:
+        return command.communicate(text, seconds_left(deadline))[0]
+    except subprocess.TimeoutExpired:
+        return _told_to_end(command)
+    except BaseException:
+        _told_to_end(command)
+        raise
 
 
-def _told_to_end(command: subprocess.Popen[str]) -> tuple[str, str]:
+def _told_to_end(command: subprocess.Popen[bytes]) -> bytes:
     """What it printed, once it has committed; it is killed if that takes too long."""
     command.send_signal(_END)
     try:
-        return command.communicate(timeout=END_SECONDS)
+        return command.communicate(timeout=END_SECONDS)[0]
     except subprocess.TimeoutExpired:
         command.kill()
-        return command.communicate()
+        return command.communicate()[0]
 
 
 def _end_with_parent() -> Callable[[], None] | None:

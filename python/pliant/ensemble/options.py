@@ -3,76 +3,64 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Sequence
+import argparse
+import json
+import os
+from collections.abc import Collection
+from typing import Any, NoReturn
 
-from pliant._core import OptionError
+from pliant import console
+from pliant._core import OptionError, job_rows
+
+#: Options by their names, as a job has them.
+Options = dict[str, Any]
 
 #: What the ensemble decides for each shard, or what no ensemble can do, with what to do instead.
 _REFUSED = {
-    "--walkers": "",
-    "--shard": "the ensemble numbers its walkers itself",
-    "--first-frame": "the ensemble numbers its frames itself",
-    "--one-file": "each shard is one file in any case",
-    "--threads": "--workers says how many processes share the shards",
-    "--output": "",
-    "--topology": "each shard holds its topology",
-    "--overwrite": "give another folder, or remove this one",
-    "--continue": "the same command again goes on",
-    "--record-forces": "use it with pliant run itself",
-    "--imd": "use it with pliant run itself",
-    "--dry-run": "try the options with that command itself",
-    "--help": "",
+    "shard": "the ensemble numbers its walkers itself",
+    "first_frame": "the ensemble numbers its frames itself",
+    "one_file": "each shard is one file in any case",
+    "threads": "--workers says how many processes share the shards",
+    "topology": "each shard holds its topology",
+    "overwrite": "give another folder, or remove this one",
+    "commits": "each shard has its own",
+    "continue": "the same command again goes on",
+    "record_forces": "use it with pliant run itself",
+    "imd": "use it with pliant run itself",
+    "dry_run": "try the options with that command itself",
 }
 
-#: Options whose value may be a file: shards read it by its absolute path, and its bytes count.
-_FILES = ("--bars", "--contacts", "--ordering", "--forces", "--amplitude")
 
-_AN_OPTION = re.compile(r"--[a-z]|-[A-Za-z]")
-
-#: The words after each option, once for each time that it was given.
-Options = dict[str, list[list[str]]]
+class _Refusal(argparse.Action):
+    def __call__(self, *_: object) -> NoReturn:
+        raise OptionError(f"{self.option_strings[0]}: is not passed on to pliant {self.const}")
 
 
-def parse_options(words: Sequence[str], command: str) -> Options:
-    """The options among `words`. Raises OptionError for those that an ensemble cannot take."""
-    found: Options = {}
-    values: list[str] | None = None
-    for word in words:
-        if _AN_OPTION.match(word):
-            name, _, value = word.partition("=")
-            _refuse(name, command)
-            values = [value] if "=" in word else []
-            found.setdefault(name, []).append(values)
-        elif values is None:
-            raise OptionError(f'unexpected argument "{word}": expected one input and options')
-        else:
-            values.append(word)
-    return found
+def add_options(
+    parser: argparse.ArgumentParser, task: str, own: Collection[str]
+) -> list[dict[str, Any]]:
+    """Adds the options of a task but those that are the ensemble's `own`; returns their rows."""
+    for name, why in _REFUSED.items():
+        parser.add_argument(flag_of(name), action=_Refusal, nargs="*", const=f"{task}: {why}")
+    rows = [row for row in job_rows(task) if row["name"] not in {*own, *_REFUSED}]
+    console.add_rows(parser, rows)
+    return rows
 
 
-def _refuse(name: str, command: str) -> None:
-    if name not in _REFUSED:
-        return
-    why = _REFUSED[name]
-    raise OptionError(f"{name}: is not passed on to pliant {command}" + (why and f": {why}"))
+def files_among(task: str, options: Options) -> list[str]:
+    """The options whose values are files: shards read them by absolute paths, and bytes count."""
+    rows = [row for row in job_rows(task) if row.get("is_file") or "FILE" in row["kind"]]
+    return [row["name"] for row in rows if os.path.isfile(options.get(row["name"], ""))]
 
 
-def file_options(options: Options) -> Iterable[tuple[str, list[str], int]]:
-    """Each place where a file's name may stand: the option, its words and the index in them."""
-    for name in _FILES:
-        for words in options.get(name, []):
-            for k in range(len(words)):
-                yield name, words, k
-
-
-def words_of(options: Options) -> list[str]:
-    """The options as a command line has them."""
-    return [word for name, times in options.items() for words in times for word in (name, *words)]
+def flag_of(name: str) -> str:
+    """ "--near-frames" of "near_frames"."""
+    return "--" + name.replace("_", "-")
 
 
 def text_of(name: str, options: Options) -> str:
     """An option as a message shows it: "--steps 1000", "no --steps"."""
     if name not in options:
-        return f"no {name}"
-    return " ".join(word for words in options[name] for word in (name, *words))
+        return f"no {flag_of(name)}"
+    value = options[name]
+    return f"{flag_of(name)} {value if isinstance(value, str) else json.dumps(value)}"

@@ -10,18 +10,19 @@ import re
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import Any
 
 from pliant import _core
 from pliant._core import FileError, InputError, OptionError
 from pliant._input_files import json_object, open_file
-from pliant.ensemble.options import Options, file_options, text_of, words_of
+from pliant.ensemble.options import Options, files_among, flag_of, text_of
 
 PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by this name
 SHARDS = "shards"  #: folder of the shards
 MAKING = "making"  #: folder of what is being made: logs of commits, and shards without a name
 LOG = ".commits"  #: how the name of a log of commits ends
 _EMPTY_LOG = 16  #: bytes of one without commits
-_FORMAT = 1
+_FORMAT = 2
 _MOST_BYTES = 1 << 24  #: of a plan
 MOST = 10**9  #: walkers or frames
 
@@ -70,15 +71,14 @@ class EnsemblePlan:
     @property
     def seed(self) -> int:
         """The seed of all random numbers."""
-        (word,) = self.options.get("--seed", [["0"]])[-1]
-        return int(word)
+        return int(self.options.get("seed", 0))
 
     @property
     def may_reach(self) -> bool:
         """Whether some frames of a sample may go further than those around the start."""
-        reaching = [[row.name] for row in _core.samplers() if row.near_sampler]
-        sampler = self.options.get("--sampler", [["auto"]])[-1]
-        return self.command == "sample" and sampler in (["auto"], *reaching)
+        reaching = [row.name for row in _core.samplers() if row.near_sampler]
+        sampler = self.options.get("sampler", "auto")
+        return self.command == "sample" and sampler in ("auto", *reaching)
 
     @property
     def shard_count(self) -> int:
@@ -94,17 +94,16 @@ class EnsemblePlan:
         """All shards, by their numbers."""
         return map(self.shard, range(self.shard_count))
 
-    def words(self, shard: Shard, output: str) -> list[str]:
-        """The arguments of the command ``pliant`` that make the shard."""
-        part = (
-            ["--shard", f"{shard.first}..{shard.last}", "--one-file"]
-            if self.command == "run"
-            else ["--first-frame", str(shard.first), "--frames", str(shard.size)]
-        )
-        if self.may_reach and "--near-frames" not in self.options:
-            part += ["--near-frames", str(_core.near_frames(self.count))]
-        own = ["--threads", "1", "--topology", "none", "--json", "--output", output]
-        return [self.command, self.input, *words_of(self.options), *part, *own]
+    def job(self, shard: Shard, output: str) -> dict[str, Any]:
+        """The job that makes the shard."""
+        own = {"threads": 1, "topology": "none", "output": output}
+        if self.command == "run":
+            own |= {"shard": f"{shard.first}..{shard.last}", "one_file": True}
+        else:
+            own |= {"first_frame": shard.first, "frames": shard.size}
+        if self.may_reach and "near_frames" not in self.options:
+            own["near_frames"] = _core.near_frames(self.count)
+        return {"task": self.command, "input": self.input, **self.options, **own}
 
 
 def make_plan(
@@ -112,10 +111,9 @@ def make_plan(
 ) -> EnsemblePlan:
     """A plan with the digests of all files that it names. Raises FileError if one is not there."""
     digests = {"input": file_digest(input_file)}
-    for name, words, k in file_options(options):
-        if os.path.isfile(words[k]):
-            digests[name] = file_digest(words[k])
-            words[k] = os.path.abspath(words[k])
+    for name in files_among(command, options):
+        digests[name] = file_digest(options[name])
+        options[name] = os.path.abspath(options[name])
     size = shard_size or USUAL_SHARD[command]
     path = os.path.abspath(input_file)
     return EnsemblePlan(command, path, count, size, options, digests, _core.version())
@@ -154,10 +152,10 @@ def load_plan(folder: str | os.PathLike[str]) -> EnsemblePlan:
     try:
         with open(path, "rb", opener=open_file) as file:
             found = json_object(file.read(_MOST_BYTES))
-        if found.pop("pliant_ensemble") != _FORMAT:
-            raise ValueError("another version of the format")
+        if (version := found.pop("pliant_ensemble")) != _FORMAT:
+            raise ValueError(f"expected version {_FORMAT} of the format, found {version!r:.40}")
         plan = EnsemblePlan(**found)
-        _check_numbers(plan)
+        _check_values(plan)
         return plan
     except OSError as error:
         raise FileError(f"{path}: {error.strerror}: expected the folder of an ensemble") from None
@@ -165,10 +163,12 @@ def load_plan(folder: str | os.PathLike[str]) -> EnsemblePlan:
         raise InputError(f"{path}: expected the plan of an ensemble: {error}") from None
 
 
-def _check_numbers(plan: EnsemblePlan) -> None:
+def _check_values(plan: EnsemblePlan) -> None:
     """Raises ValueError for what no command would have written."""
     if plan.command not in USUAL_SHARD:
         raise ValueError(f"command: expected run or sample, found {plan.command!r:.40}")
+    if not isinstance(plan.options, dict):
+        raise ValueError(f"options: expected a JSON object, found {plan.options!r:.40}")
     for name in ("count", "shard_size"):
         value = getattr(plan, name)
         if type(value) is not int or not 1 <= value <= MOST:
@@ -264,12 +264,13 @@ def _expect_same(folder: Path, there: EnsemblePlan, asked: EnsemblePlan) -> None
         if one != other:
             raise _differs(folder, name, one, other)
     for name in [*there.options, *asked.options]:
-        if there.options.get(name) != asked.options.get(name):
-            raise _differs(folder, name, text_of(name, there.options), text_of(name, asked.options))
+        one, other = (text_of(name, plan.options) for plan in (there, asked))
+        if one != other:
+            raise _differs(folder, flag_of(name), one, other)
     for name, digest in there.digests.items():
         if asked.digests.get(name) != digest:
-            file = there.input if name == "input" else text_of(name, there.options)
-            raise OptionError(f"{folder}: was begun when {name} {file} had other contents")
+            file = f"input {there.input}" if name == "input" else text_of(name, there.options)
+            raise OptionError(f"{folder}: was begun when {file} had other contents")
 
 
 def _differs(folder: Path, name: str, one: str, other: str) -> OptionError:

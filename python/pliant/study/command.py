@@ -9,9 +9,10 @@ import warnings
 from collections.abc import Sequence
 
 from pliant import console
+from pliant._jobs import molecule_rows
 from pliant.analyse.freed_memory import give_back_freed_memory
 
-COMMON = ("--output", "--frames", "--smiles", "--keep", "--no-check")
+COMMON = ("--output", "--frames", "--smiles", "--select", "--keep", "--no-check")
 DESCRIPTION = """\
 Studies a molecule and answers, on one page: which parts are flexible, what moves together, what
 else it could look like, and what was left out. With END, another structure of the same molecule,
@@ -56,12 +57,11 @@ def make_parser() -> console.Parser:
     text = "frames of the ensemble (default: as pliant sample)"
     add("--frames", metavar="N", type=console.whole_number(4), help=text)
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help="seed (default: 0)")
-    text = "keep these crystallisation additives, such as GOL,SO4, or all"
-    add("--keep", metavar="NAMES", default="", help=text)
     add("--no-check", action="store_true", help="do not let OpenMM minimise frames")
     add("--overwrite", action="store_true", help="replace the results of an earlier study")
     add("--json", action="store_true", help="print the results as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")
+    console.add_rows(parser, molecule_rows())
     return parser
 
 
@@ -84,11 +84,11 @@ def _study(arguments: argparse.Namespace) -> int:
             smiles=arguments.smiles,
             frames=arguments.frames,
             seed=arguments.seed,
-            keep=arguments.keep,
             check=not arguments.no_check,
             overwrite=arguments.overwrite,
             quiet=arguments.quiet or arguments.json,
             on_stage=on_stage,
+            **console.given(arguments, molecule_rows()),
         )
     if arguments.json:
         console.print_json(found.as_json())

@@ -6,14 +6,15 @@ from __future__ import annotations
 import contextlib
 import os
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pliant._checked import SEED, checked, whole
-from pliant._core import Error, InputError, OptionError, PathOptions
+from pliant._core import Error, InputError, OptionError, PathOptions, path_rows
 from pliant._extras import MissingPackageError, need
+from pliant._jobs import job_options, molecule_rows
 from pliant._progress import Stages
 from pliant._said import noted
 from pliant.adapters.smiles import embedded
@@ -44,11 +45,11 @@ def study(
     smiles: str | None = None,
     frames: int | None = None,
     seed: int = 0,
-    keep: str = "",
     check: bool = True,
     overwrite: bool = False,
     quiet: bool = True,
     on_stage: Callable[[str], None] | None = None,
+    **options: Any,
 ) -> Study:
     """Studies a molecule: which parts are flexible, what moves together, what else it looks like.
 
@@ -69,8 +70,6 @@ def study(
         Frames of the ensemble, at least 4. Default: as ``pliant sample``.
     seed : int
         Of the ensemble and the path.
-    keep : str
-        Additives of crystallisation to keep, by residue name, or ``all``: see ``sample``.
     check : bool
         Whether OpenMM, where it is installed, minimises a few frames of a protein.
     overwrite : bool
@@ -80,6 +79,10 @@ def study(
     on_stage : callable, optional
         Called with the name of each stage as it begins. Default: a progress bar in notebooks and on
         terminals.
+    **options
+        How the molecule is read and prepared: the options of ``pliant sample`` under Molecule and
+        Model by their names, as ``select="protein"`` and ``keep=["GOL"]``. With `end` those of
+        ``path`` alone.
 
     Raises
     ------
@@ -93,18 +96,18 @@ def study(
     need("pliant.study", "MDAnalysis", "matplotlib", "scipy", extra="analysis")
     if (file is None) == (smiles is None):
         raise OptionError("FILE, --smiles: expected one of the two")
+    asked = _molecule_options(options, end)
     folder = Path(output) if output is not None else Path(f"{_stem(file)}-study")
     _check_output(folder, overwrite)
     guessed: list[str] = []
     if file is None:
         with noted() as guessed:
             file = _embedded(str(smiles), folder, seed)
-    task = _Task(file, end, folder, seed, keep, check, quiet, tuple(guessed))
-    options = _sample_options(frames, seed, keep)
+    task = _Task(file, end, folder, seed, frames, asked, check, quiet, tuple(guessed))
     if on_stage is not None:
-        return task.studied(options, on_stage)
+        return task.studied(on_stage)
     with Stages("studying", 6 + len(STAGES)) as stages:
-        return task.studied(options, stages)
+        return task.studied(stages)
 
 
 def _embedded(smiles: str, folder: Path, seed: int) -> Path:
@@ -132,10 +135,13 @@ def _check_output(folder: Path, overwrite: bool) -> None:
         raise InputError(f"{ensemble}: exists; --overwrite replaces it")
 
 
-def _sample_options(frames: int | None, seed: int, keep: str) -> list[str]:
-    options = ["--seed", str(seed)]
-    options += [] if frames is None else ["--frames", str(frames)]
-    return options + ([] if not keep else ["--keep", keep])
+def _molecule_options(given: dict[str, Any], end: object) -> dict[str, Any]:
+    """Raises OptionError for one that a path does not take, where there is to be one."""
+    options = job_options(study, molecule_rows(), given)
+    alone = [name for name in options if name not in {row["name"] for row in path_rows()}]
+    if end is not None and alone:
+        raise OptionError(f"{alone[0]}: does not go with END: pliant path does not take it")
+    return options
 
 
 @dataclass(frozen=True)
@@ -146,16 +152,18 @@ class _Task:
     end: str | os.PathLike[str] | None
     folder: Path
     seed: int
-    keep: str
+    frames: int | None
+    asked: dict[str, Any]  #: of the molecule
     check: bool
     quiet: bool
     guessed: tuple[str, ...] = ()  #: of a SMILES
 
-    def studied(self, options: Sequence[str], on_stage: Callable[[str], None]) -> Study:
+    def studied(self, on_stage: Callable[[str], None]) -> Study:
         on_stage("sampling")
         self.folder.mkdir(parents=True, exist_ok=True)
         try:
-            ensemble = sampled(self.file, self.folder, options)
+            drawn = {"seed": self.seed, "frames": self.frames}
+            ensemble = sampled(self.file, self.folder, {**drawn, **self.asked})
         except Error:
             with contextlib.suppress(OSError):  # it holds an earlier study
                 self.folder.rmdir()
@@ -182,8 +190,7 @@ class _Task:
             return
         on_stage("path")
         output = self.folder / "path.h5md"
-        kept = [name for name in self.keep.split(",") if name]
-        options = PathOptions(seed=self.seed, keep=kept)
+        options = PathOptions(seed=self.seed, **self.asked)
         ends = options.start_of(self.file), options.end_of(self.end)
         found.path = walk.find(*ends, options, output, overwrite=True)
         found.end = Path(self.end).name

@@ -7,6 +7,7 @@ import shutil
 import pytest
 from ensembles import PEPTIDE, call, made, same_bits, shards_of
 from pliant.ensemble import scratch
+from pliant.ensemble.plan import load_plan
 
 RUN = ("--steps", 40, "--every", 10)
 
@@ -34,6 +35,32 @@ def test_frames_of_a_sample_are_sharded_too(tmp_path, there):
     names = ("max_residual", "redraws", "max_overlap")
     assert same_bits(tmp_path / "s", tmp_path / "whole.h5md", names=names)
     assert call("ensemble", "--verify", tmp_path / "s").returncode == 0
+
+
+def test_options_are_in_the_plan_by_their_names(tmp_path):
+    """With values that look like options, names and files."""
+    (tmp_path / "c.csv").write_text(call("contacts", PEPTIDE, "--csv").stdout)
+    words = ("--model", "protein", "--contacts", "c.csv", "--keep", "GOL,SO4", "--single")
+    words += ("--no-distance-bonds", "--hbond-cutoff", -2, "--tolerance", "1e-7", "--steps", 9)
+    where = ("-o", "many", "--walkers", 1, "--slurm-script", "jobs.sh")
+    ended = call("ensemble", *where, *words, PEPTIDE, cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    plan = load_plan(tmp_path / "many")
+    assert plan.options == {
+        "model": "protein",
+        "contacts": str(tmp_path / "c.csv"),
+        "keep": ["GOL", "SO4"],
+        "single": True,
+        "distance_bonds": False,
+        "hbond_cutoff": -2.0,
+        "tolerance": 1e-7,
+        "steps": 9,
+    }
+    assert set(plan.digests) == {"input", "contacts"}
+    assert made("-o", tmp_path / "many", "--only", 0)["frames"] == 10
+    (tmp_path / "c.csv").write_text("")
+    ended = call("ensemble", *where, *words, PEPTIDE, cwd=tmp_path)
+    assert f"was begun when --contacts {tmp_path}/c.csv had other contents" in ended.stderr
 
 
 def test_the_same_command_again_makes_nothing_and_needs_no_dask(ensemble, tmp_path):
@@ -73,6 +100,10 @@ def test_what_the_manifest_lost_is_found_by_its_own_check(ensemble, tmp_path, th
         (("--walkers", 25, *RUN), "--walkers: expected 24, found 25"),
         (("--walkers", 24, *RUN, "--shard-size", 5), "--shard-size: expected 4, found 5"),
         (("--frames", 24), "the command: expected pliant run, found pliant sample"),
+        (
+            ("--walkers", 24, *RUN, "--keep", "GOL"),
+            '--keep: expected no --keep, found --keep ["GOL"]',
+        ),
     ],
 )
 def test_another_option_in_the_same_folder_is_refused(ensemble, words, message):

@@ -69,7 +69,7 @@ def commands_below(process):
     """The processes that make shards."""
     try:
         children = psutil.Process(process.pid).children(recursive=True)
-        return [child for child in children if "--shard" in child.cmdline()]
+        return [child for child in children if "--job" in child.cmdline()]
     except psutil.Error:
         return []
 
@@ -200,7 +200,7 @@ def test_one_of_two_takes_a_log(planned):
     second = take_log(planned, plan, plan.shard(0))
     assert not first.exists() and second.stat().st_size == 100
     assert not take_log(planned, plan, plan.shard(1)).exists()
-    plan.options["--seed"] = [["7"]]
+    plan.options["seed"] = 7
     assert not take_log(planned, plan, plan.shard(0)).exists()
 
 

@@ -87,7 +87,7 @@ def test_json():
 
 def plan_of(count=24, size=4, **more):
     there = {"command": "run", "input": "x.pdb", "count": count, "shard_size": size}
-    return json.dumps({"pliant_ensemble": 1, **there, **more})
+    return json.dumps({"pliant_ensemble": 2, **there, **more})
 
 
 @pytest.mark.parametrize(
@@ -100,6 +100,8 @@ def plan_of(count=24, size=4, **more):
         (plan_of(1e3), "count: expected a whole number from 1 to 1000000000, found 1000.0"),
         (plan_of(size=True), "shard_size: expected a whole number from 1 to 1000000000, found Tr"),
         (plan_of(command="rm"), "command: expected run or sample, found 'rm'"),
+        (plan_of(options=[1]), "options: expected a JSON object, found [1]"),
+        (plan_of(pliant_ensemble=1), "expected version 2 of the format, found 1"),
     ],
 )
 def test_a_plan_that_no_command_has_written(tmp_path, text, said):

@@ -58,17 +58,15 @@ def test_flexibility_is_that_of_the_frames_around_the_start(reached, tmp_path, t
 @pytest.mark.parametrize(
     ("options", "count", "near"),
     [
-        ({}, 1000, ["--near-frames", "500"]),
-        ({}, 100, ["--near-frames", "100"]),
-        ({"--sampler": [["reach"]]}, 399, ["--near-frames", "100"]),
-        ({"--sampler": [["auto"]]}, 700, ["--near-frames", "300"]),
-        ({"--sampler": [["turns"]]}, 1000, []),
-        ({"--near-frames": [["7"]]}, 1000, []),
+        ({}, 1000, 500),
+        ({}, 100, 100),
+        ({"sampler": "reach"}, 399, 100),
+        ({"sampler": "auto"}, 700, 300),
+        ({"sampler": "turns"}, 1000, None),
+        ({"near_frames": 7}, 1000, 7),
     ],
 )
 def test_each_shard_knows_how_many_frames_are_near(options, count, near):
     """Half of all, in hundreds: as one sample of all frames has it."""
     plan = EnsemblePlan("sample", "x.pdb", count, 64, options)
-    own = plan.words(plan.shard(1), "out.h5md")
-    own = own[own.index("--first-frame") + 4 : own.index("--threads")]
-    assert own == near
+    assert plan.job(plan.shard(1), "out.h5md").get("near_frames") == near

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Shards as jobs of a real Slurm on this machine: cancelled, killed, sent back to the queue."""
 
+import contextlib
 import os
 import signal
 import time
@@ -45,12 +46,13 @@ def expect_same_bytes(folder, whole):
 
 
 def commands_of(folder):
-    """Processes that make a shard of this ensemble, by the number of its first walker."""
+    """Processes that make a shard of this ensemble, by their numbers in a job array."""
     found = {}
     for process in psutil.process_iter(["cmdline"]):
-        words = process.info["cmdline"] or []
-        if "--shard" in words and any(str(folder) in word for word in words):
-            found[int(words[words.index("--shard") + 1].split("..")[0])] = process
+        with contextlib.suppress(psutil.Error):  # it has ended meanwhile
+            files = process.open_files() if "--job" in (process.info["cmdline"] or []) else []
+            if any(file.path.startswith(str(folder.parent)) for file in files):
+                found[process.environ().get("SLURM_ARRAY_TASK_ID", process.pid)] = process
     return found
 
 
@@ -100,7 +102,7 @@ def test_an_array_cancelled_and_killed(slurm, whole, tmp_path):
 def test_a_signal_before_the_end_sends_jobs_back_to_the_queue(slurm, whole, tmp_path):
     folder, script = job_script(tmp_path, slurm, "--walltime", "20")
     array = submit(slurm, script)
-    command = wait_for(lambda: committed(folder) and commands_of(folder).get(0), slurm)
+    command = wait_for(lambda: committed(folder) and commands_of(folder).get("0"), slurm)
     shell = command.parent().parent()
     assert "slurm_script" in " ".join(shell.cmdline())
     shell.send_signal(signal.SIGUSR1)  # as --signal=B:USR1@... does

@@ -218,6 +218,11 @@ def test_openmm_looks_at_a_few_frames(tmp_path, capsys):
         (["none.pdb"], 1, "cannot read none.pdb: No such file or directory"),
         (["none.pdb", "--frames", "2"], 2, "--frames: expected a whole number from 4, found '2'"),
         (["none.pdb", "--seed", "-1"], 2, "--seed: expected a whole number from 0, found '-1'"),
+        (
+            ["none.pdb", "end.pdb", "--free-torsions"],
+            2,
+            "free_torsions: does not go with END: pliant path does not take it",
+        ),
     ],
 )
 def test_what_is_wrong_is_said_in_one_line(words, code, message, tmp_path, capsys, monkeypatch):
@@ -229,6 +234,23 @@ def test_what_is_wrong_is_said_in_one_line(words, code, message, tmp_path, capsy
     assert ended == code
     assert capsys.readouterr().err.splitlines()[0] == f"pliant study: error: {message}"
     assert list(tmp_path.iterdir()) == []
+
+
+def test_options_of_the_molecule_go_to_the_sample(tmp_path):
+    """As text, number or path where `sample` takes these, too."""
+    options = {"select": "resid 1:9", "keep": "GOL,SO4", "hbond_cutoff": -2, "frame": 1}
+    found = pliant.study(
+        PEPTIDE, output=tmp_path / "out", frames=4, check=False, distance_bonds=False, **options
+    )
+    kept = pliant.H5mdReader(found.sampled.ensemble).parameters()
+    names = ("input/select", "model/keep", "model/hbond_cutoff", "input/distance_bonds")
+    assert [kept[name] for name in names] == ["resid 1:9", "GOL,SO4", -2.0, False]
+    assert found.answers["molecule"].startswith("9 residues")
+    with pytest.raises(TypeError, match=r"study: has no argument 'chek' \(did you mean 'check'"):
+        pliant.study(PEPTIDE, chek=False)
+    with pytest.raises(pliant.Error, match=r"none\.csv"):
+        pliant.study(PEPTIDE, output=tmp_path / "o", contacts=tmp_path / "none.csv")
+    assert not (tmp_path / "o").exists()
 
 
 def test_stereo_that_a_smiles_leaves_open_is_said(tmp_path, capsys):
