@@ -10,7 +10,7 @@
 #include "output/json.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
-#include "pliant/jobs/output_options.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
 #include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/text/compression.hpp"

@@ -10,7 +10,7 @@
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/joint_names.hpp"
-#include "pliant/jobs/output_options.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/text/output_file.hpp"
 

@@ -16,7 +16,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
-#include "pliant/jobs/output_options.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
 #include "pliant/model/rigidity/rings_of_six.hpp"
 
 namespace pliant::app {

@@ -13,8 +13,8 @@
 #include "options/force_header_input.hpp"
 #include "output/print_run.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/jobs/frame_output.hpp"
-#include "pliant/jobs/output_options.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
+#include "pliant/jobs/files/frame_output.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/resolve/techniques.hpp"
 

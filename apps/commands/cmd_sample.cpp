@@ -10,7 +10,7 @@
 #include "output/sample_report.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
-#include "pliant/jobs/frame_output.hpp"
+#include "pliant/jobs/files/frame_output.hpp"
 #include "pliant/jobs/sample_job.hpp"
 
 namespace pliant::app {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "output/json.hpp"
-#include "pliant/jobs/guide_asked.hpp"
+#include "pliant/jobs/asked/guide_asked.hpp"
 
 namespace pliant::app {
 

@@ -5,7 +5,7 @@
 
 #include "output/conformations.hpp"
 #include "pliant/base/printable.hpp"
-#include "pliant/jobs/output_options.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
 
 namespace pliant::app {
 namespace {

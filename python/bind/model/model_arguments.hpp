@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bind.hpp"
-#include "pliant/jobs/input_options.hpp"
-#include "pliant/jobs/model_asked.hpp"
+#include "pliant/jobs/asked/input_options.hpp"
+#include "pliant/jobs/asked/model_asked.hpp"
 
 namespace pliant::python {
 

@@ -7,7 +7,7 @@
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
-#include "pliant/jobs/recorded_run.hpp"
+#include "pliant/jobs/files/recorded_run.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 
 namespace pliant::python {

@@ -6,7 +6,7 @@
 #include "checks.hpp"
 #include "framework/frame.hpp"
 #include "messages.hpp"
-#include "pliant/jobs/molecule_header.hpp"
+#include "pliant/jobs/files/molecule_header.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/record/pdb_recorder.hpp"

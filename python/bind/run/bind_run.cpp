@@ -17,7 +17,7 @@
 #include "option_fields.hpp"
 #include "options.hpp"
 #include "pliant/framework/fingerprint.hpp"
-#include "pliant/jobs/force_recorder.hpp"
+#include "pliant/jobs/files/force_recorder.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "refusals.hpp"

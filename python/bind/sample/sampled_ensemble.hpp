@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bind.hpp"
-#include "pliant/jobs/output_options.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
 #include "pliant/jobs/sample_task.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "pliant/base/option_fields.hpp"
-#include "pliant/jobs/guide_asked.hpp"
-#include "pliant/jobs/molecule_input.hpp"
-#include "pliant/jobs/output_options.hpp"
-#include "pliant/jobs/walkers_asked.hpp"
+#include "pliant/jobs/asked/guide_asked.hpp"
+#include "pliant/jobs/asked/molecule_input.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
+#include "pliant/jobs/asked/walkers_asked.hpp"
 #include "pliant/run/run_options.hpp"
 #include "pliant/sample/sample_fields.hpp"
 

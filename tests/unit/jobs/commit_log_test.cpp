@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/commit_log.hpp"
+#include "pliant/jobs/files/commit_log.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/force_recorder.hpp"
+#include "pliant/jobs/files/force_recorder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -25,7 +25,7 @@
 #include "pliant/base/threads.hpp"
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/jobs/kept_frames.hpp"
+#include "pliant/jobs/files/kept_frames.hpp"
 
 namespace pliant {
 

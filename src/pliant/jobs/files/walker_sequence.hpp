@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <map>
 
-#include "pliant/jobs/frame_output.hpp"
-#include "pliant/jobs/kept_frames.hpp"
+#include "pliant/jobs/files/frame_output.hpp"
+#include "pliant/jobs/files/kept_frames.hpp"
 
 namespace pliant {
 

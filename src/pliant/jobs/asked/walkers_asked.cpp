@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/walkers_asked.hpp"
+#include "pliant/jobs/asked/walkers_asked.hpp"
 
 #include <optional>
 

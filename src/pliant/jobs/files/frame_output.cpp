@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/frame_output.hpp"
+#include "pliant/jobs/files/frame_output.hpp"
 
 #include <filesystem>
 #include <utility>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/jobs/output_options.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/h5md/saved_part.hpp"
 #include "pliant/record/pdb_recorder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/molecule_input.hpp"
+#include "pliant/jobs/asked/molecule_input.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "pliant/jobs/commit_log.hpp"
+#include "pliant/jobs/files/commit_log.hpp"
 #include "pliant/run/ensemble.hpp"
 
 namespace pliant {

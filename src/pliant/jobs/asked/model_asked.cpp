@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/model_asked.hpp"
+#include "pliant/jobs/asked/model_asked.hpp"
 
 #include <algorithm>
 

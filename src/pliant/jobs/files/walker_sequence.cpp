@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/walker_sequence.hpp"
+#include "pliant/jobs/files/walker_sequence.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/committed_walker.hpp"
+#include "pliant/jobs/files/committed_walker.hpp"
 
 #include <algorithm>
 #include <utility>

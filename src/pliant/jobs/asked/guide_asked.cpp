@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/guide_asked.hpp"
+#include "pliant/jobs/asked/guide_asked.hpp"
 
 #include <algorithm>
 #include <cmath>

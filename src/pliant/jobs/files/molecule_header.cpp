@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/molecule_header.hpp"
+#include "pliant/jobs/files/molecule_header.hpp"
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/version.hpp"

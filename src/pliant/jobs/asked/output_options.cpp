@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/output_options.hpp"
+#include "pliant/jobs/asked/output_options.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/commit_log.hpp"
+#include "pliant/jobs/files/commit_log.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@
 #include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/base/version.hpp"
-#include "pliant/jobs/commit_words.hpp"
+#include "pliant/jobs/files/commit_words.hpp"
 
 namespace pliant {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/commit_words.hpp"
+#include "pliant/jobs/files/commit_words.hpp"
 
 #include <cstring>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/kept_frames.hpp"
+#include "pliant/jobs/files/kept_frames.hpp"
 
 #include <utility>
 

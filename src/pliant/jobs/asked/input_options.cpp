@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/input_options.hpp"
+#include "pliant/jobs/asked/input_options.hpp"
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/jobs/input_options.hpp"
-#include "pliant/jobs/model_asked.hpp"
+#include "pliant/jobs/asked/input_options.hpp"
+#include "pliant/jobs/asked/model_asked.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/perturb/force_files/force_header.hpp"
 
