@@ -73,6 +73,9 @@ COMMANDS = {
     "representatives": "pliant.analyse.representatives_command",
 }
 
+#: rows of C++ for options that a command leaves out when they are not given
+ROWS = {"path": pliant._core.path_rows}
+
 #: what the command gives in another way: a flag with an argument, text of its own
 OTHERWISE = {
     *(("path", "backtrack"), ("compare", "output"), ("compare", "frames")),
@@ -87,6 +90,7 @@ def test_of_other_functions(name):
     parser = getattr(module, "make_parser", None) or module._parser
     parser = parser()
     options = {action.dest: action.default for action in parser._actions}
+    options |= {row["name"]: row["default"] for row in ROWS.get(name, list)()}
     parameters = inspect.signature(getattr(pliant, name)).parameters.values()
     shared = [one for one in parameters if one.name in options and one.kind is one.KEYWORD_ONLY]
     assert shared
