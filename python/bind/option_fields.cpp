@@ -101,7 +101,7 @@ std::string argument_text(const OptionFacts& facts, OptionPlace place) {
   if (facts.choices != nullptr) {
     std::vector<std::string_view> names = facts.choices();
     if (!facts.automatic.empty()) names.insert(names.begin(), facts.automatic);
-    type = literal_type(names);
+    type = literal_type(names) + (type.ends_with(" | None") ? " | None" : "");
   }
   return name + ": " + type + " = " + usual_text(facts, place);
 }
@@ -109,9 +109,11 @@ std::string argument_text(const OptionFacts& facts, OptionPlace place) {
 std::string argument_doc(const OptionFacts& facts, OptionPlace place) {
   const bool is_same = facts.in_python.empty();
   std::string text = docstring(is_same ? facts.summary : facts.in_python);
+  if (is_same && !facts.unset_means.empty())
+    text += "\nDefault: " + std::string(facts.unset_means) + ".";
   for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
     text.insert(at + 1, "    ");
-  std::string type = type_of(facts, place);
+  std::string type = type_of(facts, place) + (facts.unset_means.empty() ? "" : " | None");
   if (type == names_type) type = "sequence of str";
   if (type.ends_with(" | None")) type = type.substr(0, type.size() - 7) + ", optional";
   return std::string(facts.name) + " : " + type + "\n    " + text + "\n";
@@ -125,7 +127,9 @@ nb::dict row_of(const OptionFacts& facts, OptionPlace place) {
   row["default"] = value_of(place);
   row["group"] = facts.group;
   row["kind"] = facts.kind;
+  if (facts.letter != 0) row["letter"] = std::string(1, facts.letter);
   if (!facts.opposite.empty()) row["opposite"] = facts.opposite;
+  if (!facts.unset_means.empty()) row["unset_means"] = facts.unset_means;
   if (facts.words > 0) row["words"] = facts.words;
   if (facts.is_file) row["is_file"] = true;
   if (facts.choices != nullptr) {

@@ -75,6 +75,8 @@ if TYPE_CHECKING:
     from pliant.study import study
 else:
     # Packages that are called; what they need beyond NumPy and h5py is imported when they are.
+    # Two stand for functions of _core.
+    del conformers, path
     from pliant import analyse, check, compare, conformers, convert, path, representatives, study
 
 #: What users call, and what is promised: docs/pages/stability.md.

@@ -224,14 +224,15 @@ def add_rows(
     for row in rows:
         if row["group"] not in groups:
             groups[row["group"]] = parser.add_argument_group(row["group"])
-        default, is_shown = row["default"], "choices" in row or row["type"] in ("int", "float")
-        how, hint = _taken(row), f"default: {default}" if is_shown and default != "" else ""
+        how, usual = _taken(row), row.get("unset_means", row["default"])
+        hint = f"default: {usual}" if usual != "" and row["type"] in ("int", "float", "str") else ""
         if without_value and row["name"] in without_value:
             how |= {"nargs": "?", "const": without_value[row["name"]]}
             hint = f"{how['const']} if N is not given; {hint}"
         text = (row["help"] + (f" ({hint})" if hint else "")).replace("%", "%%")
-        flag = "--" + row.get("opposite", row["name"]).replace("_", "-")
-        groups[row["group"]].add_argument(flag, dest=row["name"], default=None, help=text, **how)
+        flags = ["--" + row.get("opposite", row["name"]).replace("_", "-")]
+        flags[:0] = [f"-{row['letter']}"] if "letter" in row else []
+        groups[row["group"]].add_argument(*flags, dest=row["name"], default=None, help=text, **how)
 
 
 def given(arguments: argparse.Namespace, rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:

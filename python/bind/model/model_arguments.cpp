@@ -15,8 +15,8 @@ namespace {
 bool has(ModelArguments which, const ModelField& field) {
   if (field.name == "model") return which == ModelArguments::path;  // others: own defaults
   if (field.name == "free_torsions") return which == ModelArguments::all;
-  return which > ModelArguments::preparation || field.use == &ModelEntry::is_prepared ||
-         (which == ModelArguments::preparation && field.name == "floppy_below");
+  return which != ModelArguments::preparation || field.use == &ModelEntry::is_prepared ||
+         field.name == "floppy_below";
 }
 
 std::vector<ModelField> rows_of(ModelArguments which) {
@@ -50,7 +50,7 @@ nb::list argument_rows(ModelArguments which) {
 
 AskedModel take_arguments(ModelArguments which, nb::dict given) {
   AskedModel asked{.model = usual(which)};
-  const bool is_named = which <= ModelArguments::preparation || !given.contains("contacts") ||
+  const bool is_named = which == ModelArguments::preparation || !given.contains("contacts") ||
                         nb::isinstance<nb::str>(given["contacts"]) ||
                         nb::hasattr(given["contacts"], "__fspath__");
   if (!is_named) {

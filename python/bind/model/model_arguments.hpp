@@ -13,9 +13,9 @@
 
 namespace pliant::python {
 
-/// Which arguments a function has: of a small molecule, of preparation, of contacts too, of samples
-/// too; of a path also the model, and what commands alone say of a file.
-enum class ModelArguments : std::uint8_t { small, preparation, contacts, all, path };
+/// Which arguments a function has: of preparation, of contacts too, of samples too; of a path also
+/// the model, and what commands alone say of a file.
+enum class ModelArguments : std::uint8_t { preparation, contacts, all, path };
 
 /// What such arguments say.
 struct AskedModel {

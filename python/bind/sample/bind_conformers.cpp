@@ -2,10 +2,11 @@
 // Conformers: starts, draws with our own energy, and the choice among them.
 #include "arrays.hpp"
 #include "messages.hpp"
-#include "model/model_arguments.hpp"
 #include "molecule/structure.hpp"
+#include "option_fields.hpp"
 #include "pliant/conformers/choice/choose_conformers.hpp"
 #include "pliant/jobs/conformers_task.hpp"
+#include "pliant/jobs/job.hpp"
 
 namespace pliant::python {
 namespace {
@@ -31,15 +32,22 @@ std::span<const Vec3> frame_of(const GivenFrames& frames, std::size_t frame) {
   return {all + frame * frames.shape(1), frames.shape(1)};
 }
 
-nb::tuple draw(const nb::object& structure, std::int64_t starts, std::int64_t frames,
-               std::uint64_t seed, bool turn_amides, std::int64_t threads) {
+/// Of those that `take_options` gave.
+ConformerOptions options_from(const nb::dict& values) {
+  ConformerOptions options;
+  take_values(conformer_fields(), nb::cast<nb::dict>(values.attr("copy")()), options);
+  options.log = python_log();
+  return options;
+}
+
+nb::tuple draw(const nb::object& structure, const nb::dict& options) {
   const auto& given = nb::cast<const Structure&>(structure);
-  const ConformersAsked asked{frames, seed, turn_amides, threads, python_log()};
+  const ConformerOptions asked = options_from(options);
   std::vector<MolecularModel> models;
   DrawnConformers drawn;
   {
     const nb::gil_scoped_release no_gil;
-    models = conformer_starts(given, starts, asked);
+    models = conformer_starts(given, asked);
     drawn = draw_conformers(models, asked);
   }
   const std::size_t atoms = given.size();
@@ -50,7 +58,7 @@ nb::tuple draw(const nb::object& structure, std::int64_t starts, std::int64_t fr
       array_of(drawn.energies),
       frames_of(
           models, atoms, [](const auto& model) -> const auto& { return model.positions; }),
-      drawn.max_residual, drawn.worst_bar, drawn.failed);
+      drawn.max_residual);
 }
 
 /// Shapes of conformers by the symmetries of their molecule.
@@ -83,11 +91,12 @@ class Shapes {
 };
 
 nb::object choose_among(const nb::object& structure, const GivenFrames& positions,
-                        const std::vector<double>& energies, std::size_t most, double rms,
-                        double window) {
+                        const std::vector<double>& energies, const nb::dict& options) {
   const Shapes shapes(structure);
-  const std::vector<std::size_t> chosen =
-      choose_conformers(shapes.distances(positions), energies, {most, rms, window});
+  const ConformerOptions asked = options_from(options);
+  const double window = asked.window > 0.0 ? asked.window : HUGE_VAL;
+  const std::vector<std::size_t> chosen = choose_conformers(
+      shapes.distances(positions), energies, {std::size_t(asked.max), asked.rms, window});
   return nb::cast(array_of(std::vector<std::int64_t>(chosen.begin(), chosen.end())));
 }
 
@@ -102,18 +111,104 @@ nb::object nearest(const nb::object& structure, const GivenFrames& positions,
   return nb::cast(array_of(out));
 }
 
+/// Options of a call by name, those of one ligand that are not as usual below "molecule".
+nb::dict take_options(const nb::kwargs& more) {
+  nb::dict given(more), values, molecule;
+  Job job = usual_job("conformers"), usual = job;
+  take_values(conformer_fields(), given, job.conformers);
+  settle(job.conformers);
+  for (const OptionRow<Job>& row : job_rows("conformers")) {
+    const nb::str name(row.facts->name.data(), row.facts->name.size());
+    const OptionPlace place = row.place(job);
+    if (given.contains(name)) {
+      take_value(*row.facts, place, given[name]);
+      check_option(*row.facts, place);
+      nb::del(given[name]);
+    }
+    if (row.path.starts_with("conformers/"))
+      values[name] = value_of(place);
+    else if (option_text(place) != option_text(row.place(usual)))
+      molecule[name] = value_of(place);
+  }
+  refuse_unknown(nb::module_::import_("pliant._core").attr("conformers"),
+                 nb::make_tuple(nb::none()), given);
+  values["molecule"] = molecule;
+  return values;
+}
+
+/// As `pliant.conformers.suite` finds them.
+nb::object conformers_of(const nb::object& molecule, const nb::object& max,
+                         const nb::kwargs& more) {
+  nb::dict given(more);
+  if (!max.is_none()) given["max"] = max;
+  return nb::module_::import_("pliant.conformers.suite").attr("found")(molecule, given);
+}
+
+constexpr const char* conformers_doc =
+    R"(Return ranked conformers of a molecule, or an iterator over those of a library.
+
+Candidates are drawn from several starts without overlaps, those that are alike are left out, and at
+most `max` are kept, lowest energy first. Lengths and angles are those of the start.
+
+Parameters
+----------
+molecule : rdkit.Chem.Mol, SMILES, Structure, path or iterable
+    One molecule; or a library: the path of an SDF, MOL or SMILES file (also compressed), or of a PDB,
+    mmCIF or XYZ file of one ligand, or an iterable of molecules. A molecule without positions is
+    embedded by RDKit, with hydrogens. The options from `format` on are of such a file of one ligand,
+    those from `select` on also of a Structure.
+)";
+
+constexpr const char* rest_of_conformers_doc =
+    R"(
+Returns
+-------
+rdkit.Chem.Mol, Conformers or iterator
+    A Mol, with its properties and hydrogens, for a Mol or a SMILES: each conformer has the properties
+    pliant_energy (kcal/mol) and pliant_start. Conformers for a Structure. For a library one of these
+    after the other (Conformers for a path), in its order, and a `FailedMolecule`, which is false, for
+    each molecule that fails.
+
+Raises
+------
+ImportError
+    RDKit or OpenMM is needed and not installed; the message says how to install it.
+InputError, OptionError, FileError
+    A single molecule cannot be used, or an option is wrong; a library cannot be read.
+
+Warns
+-----
+PliantWarning
+    Stereo of a molecule that is made 3-D is not given: one isomer is made. Hydrogens that were missing
+    are added. Bond orders or charges of a ligand are guessed. A molecule of a library was there
+    before: it is done again.
+)";
+
+void bind_conformers_function(nb::module_& module) {
+  Job usual = usual_job("conformers");
+  const std::string molecules =
+      std::string(any_molecule) + " | collections.abc.Iterable[typing.Any]";
+  std::string signature = "def conformers(molecule: " + molecules, doc = conformers_doc;
+  for (const OptionRow<Job>& row : job_rows("conformers")) {
+    signature += ", " + argument_text(*row.facts, row.place(usual));
+    if (row.facts->name == "max") signature += ", *";
+    doc += argument_doc(*row.facts, row.place(usual));
+  }
+  module.def("conformers", &conformers_of, "molecule"_a.none(), "max"_a = nb::none(), "options"_a,
+             nb::sig((signature + ") -> typing.Any").c_str()),
+             (doc + rest_of_conformers_doc).c_str());
+  module.def("conformer_options", &take_options, "options"_a,
+             nb::sig("def conformer_options(**options: typing.Any) -> dict[str, typing.Any]"),
+             "What ``conformers`` is asked for by such options, checked, by name.");
+}
+
 }  // namespace
 
 void bind_conformers(nb::module_& module) {
-  using namespace nb::literals;
-  module.def(
-      "conformer_rows", [] { return argument_rows(ModelArguments::small); },
-      nb::sig("def conformer_rows() -> list[dict[str, typing.Any]]"),
-      "The table of what ``pliant conformers`` takes of the options of a molecule.");
-  module.def("_draw_conformers", &draw, "structure"_a, "starts"_a, "frames"_a, "seed"_a,
-             "turn_amides"_a = false, "threads"_a = 1);
+  bind_conformers_function(module);
+  module.def("_draw_conformers", &draw, "structure"_a, "options"_a);
   module.def("_choose_conformers", &choose_among, "structure"_a, "positions"_a, "energies"_a,
-             "most"_a, "rms"_a, "window"_a);
+             "options"_a);
   module.def("_symmetric_rmsd", &nearest, "structure"_a, "positions"_a, "goals"_a);
 }
 

@@ -219,7 +219,7 @@ nb::list job_rows_of(const std::string& task) {
 void bind_sample_function(nb::module_& module) {
   module.def("job_rows", &job_rows_of, "task"_a,
              nb::sig("def job_rows(task: str) -> list[dict[str, typing.Any]]"),
-             "The table of the options of a job: ``sample`` or ``run``.");
+             "The table of the options of a job: ``sample``, ``run`` or ``conformers``.");
   module.def(
       "near_frames",
       [](std::int64_t frames) {

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
+    from pliant._core import conformers
     from pliant.conformers.results import Conformers
-    from pliant.conformers.suite import conformers
 
 __all__ = ["Conformers", "conformers"]
 
-make_callable(__name__, {"conformers": "suite", "Conformers": "results"})
+make_callable(__name__, {"conformers": "pliant._core", "Conformers": "results"})

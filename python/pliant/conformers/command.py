@@ -9,23 +9,18 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pliant import console
-from pliant._core import FileError, InputError, OptionError, conformer_rows
+from pliant._core import FileError, InputError, OptionError
 from pliant._extras import need
-from pliant._processes import ended_by_signals, usual_workers
-from pliant.conformers.core import A_CONFORMER, FRAMES
+from pliant._processes import ended_by_signals
 from pliant.conformers.journal import Journal
 from pliant.conformers.library import Source, begin, complete, resume
-from pliant.conformers.options import SALTS, ConformerOptions
+from pliant.conformers.options import ROWS, ConformerOptions
 from pliant.conformers.records import LIGANDS, SMILES, format_of
 from pliant.conformers.report import lines_of
 from pliant.conformers.workers import Outcome
 
 EXIT_SOME_FAILED = 3
 COMMON = ("--output", "--max", "--rms", "--energy", "--embed", "--smiles", "--continue")
-MOST_INPUT = 10**9  #: megabytes: of a library one record at a time is in memory
-ROWS = [
-    row | ({"most": MOST_INPUT} if row["name"] == "max_input" else {}) for row in conformer_rows()
-]
 DESCRIPTION = """\
 Makes conformers of small molecules: a library in, ranked and pruned conformers out, as one SDF
 with the names and data items of the molecules. Candidates are drawn from several starts (torsions,
@@ -68,67 +63,22 @@ examples:
 
 def make_parser() -> console.Parser:
     """The options of pliant conformers."""
-    usual = ConformerOptions()
     parser = console.Parser("conformers", DESCRIPTION, EPILOG, COMMON)
     add = parser.add_argument
     text = "SDF, MOL or SMILES file; PDB, mmCIF or XYZ file of one ligand"
     add("file", metavar="FILE", nargs="?", help=text)
-    text = (
-        "instead of FILE: one molecule, made 3-D by RDKit; with a ligand's FILE: its bond orders, "
-        "charges and hydrogens"
-    )
-    add("--smiles", metavar="TEXT", help=text)
     text = "SDF to write, or .sdf.gz (default: FILE's name-conformers.sdf)"
     add("-o", "--output", metavar="FILE", help=text)
     text = "continue an unfinished output; the result is as if it had never stopped"
     add("--continue", dest="go_on", metavar="FILE", help=text)
-    whole = console.whole_number
-    text = f"conformers of a molecule, at most (default: {usual.most})"
-    add("-n", "--max", metavar="N", type=whole(1), default=usual.most, help=text)
-    text = (
-        f"candidates drawn of a molecule, from all starts together (default: {FRAMES}, or "
-        f"{A_CONFORMER} for each conformer of --max)"
-    )
-    add("--frames", metavar="N", type=whole(1), default=None, help=text)
-    text = f"starting geometries (default: {usual.starts}); 1: the input alone"
-    add("--starts", metavar="N", type=whole(1), default=usual.starts, help=text)
-    text = (
-        f"leave out conformers within X Angstrom (heavy atoms) of one chosen (default: {usual.rms})"
-    )
-    add("--rms", metavar="X", type=float, default=usual.rms, help=text)
-    text = "leave out what is more than X kcal/mol above the lowest (default: keep all)"
-    add("--window", metavar="X", type=float, help=text)
-    text = (
-        "rank by own (penalises unusual torsions and close atoms), MMFF94s or UFF (of RDKit), auto "
-        "(MMFF94s, else UFF, where RDKit is installed, else own), none, or a force field of OpenMM "
-        "(FILE.xml) (default: own)"
-    )
-    add("--energy", metavar="NAME", default=usual.energy, help=text)
-    text = "minimise by the energy: lengths and angles are then the force field's"
-    add("--minimise", action="store_true", help=text)
-    text = "make drawings, and molecules without hydrogens, 3-D by RDKit"
-    add("--embed", action="store_true", help=text)
-    text = "several molecules in a record: keep the largest (default), or refuse"
-    add("--salts", choices=SALTS, default=usual.salts, help=text)
-    text = "draw secondary amides as cis and trans"
-    add("--amides", action="store_true", help=text)
-    add("--seed", metavar="N", type=whole(0, most=2**31 - 1), default=0, help="seed (default: 0)")
-    _add_options_of_the_run(parser)
-    return parser
-
-
-def _add_options_of_the_run(parser: console.Parser) -> None:
-    add, whole = parser.add_argument, console.whole_number
+    console.add_rows(parser, ROWS)
     text = "only each n-th record from the i-th on, to share a library among machines"
     add("--shard", metavar="i/n", type=_shard, default=(1, 1), help=text)
-    text = "processes (default: as many as cores); changes no result"
-    most = console.MOST_PROCESSES
-    add("--threads", metavar="N", type=whole(1, most=most), default=usual_workers(), help=text)
     add("--overwrite", action="store_true", help="replace an existing or unfinished output")
     add("--json", action="store_true", help="print the summary as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")
     add("--verbose", action="store_true", help="print notes on each molecule")
-    console.add_rows(parser, ROWS)
+    return parser
 
 
 def _shard(text: str) -> tuple[int, int]:
@@ -179,38 +129,19 @@ def _conformers(arguments: argparse.Namespace) -> int:
 
 def _begun(arguments: argparse.Namespace) -> Journal:
     given = console.given(arguments, ROWS)
-    max_input = given.pop("max_input", 0) * 10**6 or ConformerOptions.max_input
     kind = arguments.file and format_of(arguments.file, given.get("format"))
     is_ligand = kind in LIGANDS
-    if arguments.file is None and arguments.smiles is None:
+    smiles = given.pop("smiles", None) if arguments.file is None else None
+    if arguments.file is None and smiles is None:
         raise OptionError("expected FILE or --smiles TEXT, or --continue FILE")
-    if arguments.file is not None and arguments.smiles is not None and not is_ligand:
-        raise OptionError("--smiles: expected no FILE, or a PDB, mmCIF or XYZ file of one ligand")
-    options = ConformerOptions(
-        most=arguments.max,
-        frames=arguments.frames,
-        starts=arguments.starts,
-        rms=arguments.rms,
-        window=arguments.window,
-        energy=arguments.energy,
-        minimise=arguments.minimise,
-        seed=arguments.seed,
-        embed=arguments.embed,
-        salts=arguments.salts,
-        amides=arguments.amides,
-        max_input=max_input,
-        smiles=arguments.smiles if is_ligand else None,
-        molecule=given,
-        dashes="--",
-    )
-    options.check()
+    options = ConformerOptions("--", **given)
+    options.check_energy()
     options.check_source(is_ligand=is_ligand)
     output = _output(arguments)
-    smiles = arguments.smiles or ""
-    source = Source(arguments.file or "", "" if is_ligand else smiles, arguments.shard)
+    source = Source(arguments.file or "", smiles or "", arguments.shard)
     if is_ligand:
         need("a PDB, mmCIF or XYZ file", "rdkit")
-    elif arguments.smiles is not None or kind in SMILES:
+    elif smiles is not None or kind in SMILES:
         need("a SMILES", "rdkit")
     if arguments.smiles is not None:
         _check_smiles(arguments.smiles)

@@ -71,7 +71,7 @@ class LibraryDone:
     @property
     def short(self) -> list[Outcome]:
         """Molecules with fewer conformers than asked for."""
-        return [one for one in self.done if one.conformers < self.options.most]
+        return [one for one in self.done if one.conformers < self.options.max]
 
     def cpu(self) -> dict[str, float]:
         """CPU seconds by stage."""
@@ -90,7 +90,7 @@ class LibraryDone:
             "records": len(self.outcomes),
             "molecules": len(self.done),
             "conformers": self.conformers,
-            "missing": sum(self.options.most - one.conformers for one in self.short),
+            "missing": sum(self.options.max - one.conformers for one in self.short),
             "resumed": self.resumed,
             "seconds": self.seconds,
             "cpu_seconds": self.cpu(),
@@ -103,7 +103,7 @@ class LibraryDone:
                     "number": one.number,
                     "name": one.name,
                     "conformers": one.conformers,
-                    "missing": self.options.most - one.conformers,
+                    "missing": self.options.max - one.conformers,
                     "energy": one.energy or None,
                     "notes": one.notes,
                     "warnings": one.warnings,
@@ -145,11 +145,11 @@ def what_was_asked(journal: Journal) -> tuple[Source, ConformerOptions]:
     """As the journal has it."""
     asked = journal.asked
     first, of = asked["shard"]
-    options = ConformerOptions(**asked["options"], dashes="--")
+    options = ConformerOptions("--", **asked["options"])
     return Source(asked["file"], asked["smiles"], (first, of)), options
 
 
-def complete(journal: Journal, workers: int, on_done: OnDone) -> LibraryDone:
+def complete(journal: Journal, threads: int | None, on_done: OnDone) -> LibraryDone:
     """Makes what is missing, and publishes the output. Both files stay where it is ended early."""
     began = time.monotonic()
     source, options = what_was_asked(journal)
@@ -160,7 +160,7 @@ def complete(journal: Journal, workers: int, on_done: OnDone) -> LibraryDone:
     for one in journal.outcomes:
         repeated.warnings(one.smiles, one.called)
     try:
-        for outcome in outcomes(records, options, workers, is_zipped):
+        for outcome in outcomes(records, options, threads or options.threads, is_zipped):
             outcome.warnings += repeated.warnings(outcome.smiles, outcome.called)
             journal.add(outcome)
             on_done(outcome)

@@ -29,7 +29,7 @@ _READING = {
 
 
 def read_ligand(text: str, place: str, kind: str, asked: Mapping[str, Any]) -> Structure:
-    """The part of a file that is asked for by names of `conformer_rows()`.
+    """The part of a file that is asked for by names of `conformer_options()`.
 
     Raises as `read_text` and `part_of` do.
     """

@@ -41,31 +41,23 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
     seconds: dict[str, float] = {}
     with noted() as notes:
         with _timed(seconds, "draw"):
-            drawn = core.draw(
-                subject.structure,
-                options.starts,
-                options.candidates,
-                options.seed,
-                turn_amides=options.amides,
-                threads=threads,
-            )
+            drawn = core.draw(subject.structure, options, threads)
         if len(drawn.positions) == 0:
-            raise InputError(f"none of {options.candidates} candidates is whole")
+            raise InputError(f"none of {options.frames} candidates is whole")
         with _timed(seconds, "energy"):
             energy = energy_of(options.energy, subject.structure, lambda: subject.molecule)
             energies = drawn.score if options.energy != "none" else np.zeros_like(drawn.score)
             if energy is not None:
                 energies = np.array([energy.of(one) for one in drawn.positions])
         positions, of_start = drawn.positions, drawn.start
-        limits = options.most, options.rms, options.window
         with _timed(seconds, "choose"):
-            kept = core.choose(subject.structure, positions, energies, *limits)
+            kept = core.choose(subject.structure, positions, energies, options)
             positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
         if options.minimise and energy is not None:
             with _timed(seconds, "minimise"):
                 positions = np.array([energy.minimised(one) for one in positions])
                 energies = np.array([energy.of(one) for one in positions])
-                kept = core.choose(subject.structure, positions, energies, *limits)
+                kept = core.choose(subject.structure, positions, energies, options)
                 positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
     has_energy = options.energy != "none"
     name = energy.name if energy is not None else OWN if has_energy else ""
@@ -78,7 +70,7 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
         name,
         drawn.starts,
         np.nan if minimised else drawn.worst_bar,
-        options.most,
+        options.max,
         minimised,
         subject.notes + notes,
         seconds,

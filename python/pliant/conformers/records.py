@@ -82,7 +82,7 @@ def read_records(
             f"{name}: expected SDF, MOL, SMILES, PDB, mmCIF or XYZ (.sdf, .mol, .smi, .pdb, .cif, "
             ".xyz, each also .gz, .bz2, .xz)"
         )
-    lines = lines_of(name, MOST_TEXT, options.max_input, options.of_more_input)
+    lines = lines_of(name, MOST_TEXT, options.max_input * 10**6, options.called("max_input"))
     if kind in LIGANDS:
         yield from _ligand_records(lines, Path(name).name, LIGANDS[kind])
     else:

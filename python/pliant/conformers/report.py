@@ -46,19 +46,19 @@ def _conformers(found: LibraryDone) -> str:
         return f"{text}: all that were asked for"
     options = found.options
     why = f"no more that differ by {options.rms:g} Å" if options.rms else "no more were drawn"
-    if options.window is not None:
+    if options.window:
         why += f" within {options.window:g} kcal/mol"
     few = f"{len(found.short)} of {counted(len(found.done), 'molecule')}"
     has = "has" if len(found.short) == 1 else "have"
-    return f"{text}; {few} {has} fewer than {options.most}: {why}"
+    return f"{text}; {few} {has} fewer than {options.max}: {why}"
 
 
 def _drawn(found: LibraryDone) -> str:
     options = found.options
     if options.starts == 1:
-        return f"{options.candidates} candidates a molecule, lengths and angles as given"
+        return f"{options.frames} candidates a molecule, lengths and angles as given"
     return (
-        f"{options.candidates} candidates a molecule from {options.starts} starts, "
+        f"{options.frames} candidates a molecule from {options.starts} starts, "
         "each with lengths and angles of its own"
     )
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "pliant/base/error.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/conformers/strain/conformer_energy.hpp"
 #include "pliant/conformers/strain/relaxation.hpp"
@@ -29,15 +28,15 @@ MolecularModel molecule_model(const Structure& structure, const Log& log) {
 
 /// The shaken rings of further starts are their other forms.
 SampleAsked torsions_asked(std::int64_t first, std::int64_t frames, bool is_first_start,
-                           const ConformersAsked& asked) {
+                           const ConformerOptions& asked) {
   SampleAsked wanted;
   wanted.options.ring_systems = is_first_start;
-  wanted.options.turn_amides = asked.turn_amides;
+  wanted.options.turn_amides = asked.amides;
   wanted.options.threads = asked.threads;
   wanted.options.sampler = conformer_sampler().name;
   wanted.options.first_frame = first;
   wanted.options.frames = frames;
-  wanted.options.seed = asked.seed;
+  wanted.options.seed = std::uint64_t(asked.seed);
   wanted.options.log = asked.log;
   return wanted;
 }
@@ -123,9 +122,10 @@ Structure moved(const Structure& structure, std::vector<Vec3> x) {
 
 }  // namespace
 
-std::vector<MolecularModel> conformer_starts(const Structure& structure, std::int64_t count,
-                                             const ConformersAsked& asked) {
-  if (count < 1) throw OptionError("starts = " + std::to_string(count) + ": must be from 1");
+std::vector<MolecularModel> conformer_starts(const Structure& structure,
+                                             const ConformerOptions& asked) {
+  check(asked);
+  const std::int64_t count = asked.starts;
   std::vector<MolecularModel> starts;
   starts.reserve(std::size_t(count));  // what refers to the first must stay valid
   starts.push_back(molecule_model(structure, asked.log));
@@ -139,7 +139,7 @@ std::vector<MolecularModel> conformer_starts(const Structure& structure, std::in
   });
   for (std::size_t k = 0; k < found.size(); ++k)
     for (std::uint64_t attempt = 0; attempt < tries; ++attempt) {
-      const RandomSequence draws({asked.seed, Domain::start, attempt, k, 0});
+      const RandomSequence draws({std::uint64_t(asked.seed), Domain::start, attempt, k, 0});
       std::vector<Vec3> x = relaxed(starts[0], chemistry, found[k], draws);
       if (x.empty()) continue;
       starts.push_back(molecule_model(moved(starts[0].structure, std::move(x)), {}));
@@ -149,7 +149,7 @@ std::vector<MolecularModel> conformer_starts(const Structure& structure, std::in
 }
 
 DrawnConformers draw_conformers(std::span<const MolecularModel> starts,
-                                const ConformersAsked& asked) {
+                                const ConformerOptions& asked) {
   DrawnConformers drawn;
   if (starts.empty()) return drawn;
   const BondChemistry chemistry(starts[0].framework, starts[0].positions);
@@ -166,10 +166,7 @@ DrawnConformers draw_conformers(std::span<const MolecularModel> starts,
       drawn.energies.push_back(energy.at(frame.positions));
       return false;
     });
-    drawn.failed += summary.failed;
-    if (summary.max_residual < drawn.max_residual || task.framework().bar_count() == 0) continue;
-    drawn.max_residual = summary.max_residual;
-    drawn.worst_bar = task.framework().label(task.framework().bars()[summary.worst_bar]);
+    drawn.max_residual = std::max(drawn.max_residual, summary.max_residual);
   }
   return drawn;
 }

@@ -78,6 +78,20 @@ Rows rows_of_run() {
   return rows;
 }
 
+/// What prepares one ligand goes along. A library may be larger than the file of a molecule.
+Rows rows_of_conformers() {
+  Rows rows;
+  append_rows(rows, "conformers", conformer_fields(),
+              [](Job& job) -> ConformerOptions& { return job.conformers; });
+  add_input(rows);
+  std::erase_if(rows, [](const auto& row) { return row.path == "input/max_input"; });
+  for (const ModelField& field : model_fields())
+    if (field.use == &ModelEntry::is_prepared && field.name != "free_torsions")
+      append_rows(rows, "model", std::span(&field, 1),
+                  [](Job& job) -> ModelAsked& { return job.molecule.model; });
+  return rows;
+}
+
 /// A task and its rows.
 struct TaskEntry {
   std::string_view name;
@@ -85,7 +99,8 @@ struct TaskEntry {
 };
 
 const TaskEntry& entry_of(std::string_view task) {
-  static const TaskEntry tasks[] = {{"sample", rows_of_sample()}, {"run", rows_of_run()}};
+  static const TaskEntry tasks[] = {
+      {"sample", rows_of_sample()}, {"run", rows_of_run()}, {"conformers", rows_of_conformers()}};
   return choose(tasks, "task", task);
 }
 
@@ -94,7 +109,7 @@ const TaskEntry& entry_of(std::string_view task) {
 Job usual_job(std::string_view task) {
   Job job;
   job.task = entry_of(task).name;
-  job.sample.threads = std::max(1U, std::thread::hardware_concurrency());
+  job.sample.threads = job.conformers.threads = std::max(1U, std::thread::hardware_concurrency());
   if (task == "sample") job.molecule.model.model = automatic_model;
   return job;
 }

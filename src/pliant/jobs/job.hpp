@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pliant/base/option_fields.hpp"
+#include "pliant/jobs/asked/conformer_options.hpp"
 #include "pliant/jobs/asked/guide_asked.hpp"
 #include "pliant/jobs/asked/molecule_input.hpp"
 #include "pliant/jobs/asked/output_options.hpp"
@@ -22,12 +23,13 @@ namespace pliant {
 
 /// What is asked for; each task heeds the groups that its rows name.
 struct Job {
-  std::string task = "sample";  ///< "sample" or "run"
+  std::string task = "sample";  ///< "sample", "run" or "conformers"
   MoleculeOptions molecule;     ///< input, bars, model
   SampleOptions sample = unset_sample_options();
   RunOptions run;
   WalkersAsked walkers;
   GuideAsked guide;
+  ConformerOptions conformers;
   OutputOptions output;
   std::string go_on;  ///< trajectory that is continued; "": a new one
 };

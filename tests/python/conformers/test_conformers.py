@@ -241,10 +241,10 @@ def test_stereo_that_is_left_open_is_warned_of(tmp_path):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"n": 0}, "n: expected a number from 1, found 0"),
-        ({"rms": -1.0}, "rms: expected a number from 0, found -1.0"),
-        ({"window": 0.0}, "window: expected a number above 0, found 0.0"),
-        ({"salts": "keep"}, "salts: expected largest or refuse, found 'keep'"),
+        ({"max": 0}, "max = 0: must be from 1"),
+        ({"rms": -1.0}, "rms = -1: must be 0 or more and finite"),
+        ({"window": -1.0}, "window = -1: must be positive and finite"),
+        ({"salts": "keep"}, 'no way with salts named "keep"; known: largest, refuse'),
         ({"energy": "none", "window": 3.0}, "window: needs an energy, not energy none"),
         (
             {"energy": "own", "minimise": True},

@@ -10,6 +10,7 @@ import pliant
 
 pytest.importorskip("rdkit")
 from libraries import embedded
+from pliant.conformers.options import ConformerOptions
 from rdkit import Chem
 from rdkit.Chem import AllChem, rdMolAlign
 
@@ -41,7 +42,7 @@ def structure_of(smiles):
 
 @cache
 def drawn(smiles, frames=60, threads=1):
-    return core.draw(structure_of(smiles), 5, frames, 3, threads=threads)
+    return core.draw(structure_of(smiles), ConformerOptions(frames=frames, seed=3), threads)
 
 
 @pytest.mark.parametrize("smiles", SYMMETRIC)
@@ -70,25 +71,29 @@ def distances_between(structure, positions):
 
 def test_the_chosen_differ_and_the_lowest_is_first():
     structure, made = structure_of(DRUG), drawn(DRUG, 200)
-    kept = core.choose(structure, made.positions, made.score, 20, 0.7, None)
+    kept = core.choose(structure, made.positions, made.score, ConformerOptions(max=20, rms=0.7))
     assert len(kept) == len(set(kept.tolist())) == 20
     assert kept[0] == made.score.argmin()
     assert np.all(np.diff(made.score[kept]) >= 0)
     apart = distances_between(structure, made.positions[kept])
     assert apart[np.triu_indices(20, 1)].min() > 0.7
-    within = core.choose(structure, made.positions, made.score, 200, 0.7, 4.0)
+    within = core.choose(
+        structure, made.positions, made.score, ConformerOptions(max=200, rms=0.7, window=4.0)
+    )
     assert 1 < len(within) < 200
     assert np.ptp(made.score[within]) <= 4.0
 
 
 def test_as_many_are_chosen_as_fit():
-    """Each that is left out is within `rms` of a chosen one, or there are `most`."""
+    """Each that is left out is within `rms` of a chosen one, or there are `max`."""
     structure, made = structure_of("CCCCCO"), drawn("CCCCCO", 100)
-    kept = core.choose(structure, made.positions, made.score, 100, 0.5, None)
+    kept = core.choose(structure, made.positions, made.score, ConformerOptions(max=100))
     assert 3 < len(kept) < 100
     apart = _core._symmetric_rmsd(structure, made.positions, made.positions[kept])
     assert apart.reshape(100, -1).min(axis=1).max() <= 0.5
-    everything = core.choose(structure, made.positions, np.zeros(100), 100, 0.0, None)
+    everything = core.choose(
+        structure, made.positions, np.zeros(100), ConformerOptions(max=100, rms=0.0)
+    )
     assert everything.tolist() == list(range(100))
 
 
@@ -129,16 +134,16 @@ def test_each_conformer_has_the_bars_of_its_start():
 
 
 def test_the_bits_are_the_same_each_time():
-    made, again = drawn(DRUG), core.draw(structure_of(DRUG), 5, 60, 3, threads=2)
+    made, again = drawn(DRUG), drawn(DRUG, threads=2)
     for name in ("positions", "start", "score", "starts"):
         assert np.array_equal(getattr(made, name), getattr(again, name)), name
-    other = core.draw(structure_of(DRUG), 5, 60, 4)
+    other = core.draw(structure_of(DRUG), ConformerOptions(frames=60, seed=4))
     assert not np.array_equal(made.positions, other.positions)
 
 
 def test_one_start_has_the_frames_of_sample():
     structure = structure_of(DRUG)
-    made = core.draw(structure, 1, 30, 8)
+    made = core.draw(structure, ConformerOptions(starts=1, frames=30, seed=8))
     assert np.array_equal(made.positions, pliant.sample(structure, 30, seed=8).positions)
     assert made.start.tolist() == 30 * [0]
 

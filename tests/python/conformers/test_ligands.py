@@ -16,7 +16,7 @@ from pliant.conformers.records import read_records
 from pliant.conformers.subject import subject_of
 from rdkit import Chem
 
-FAST = {"n": 2, "frames": 10, "starts": 1}
+FAST = {"max": 2, "frames": 10, "starts": 1}
 #: of acids, salts, nitro groups, sulphur, phosphorus, rings, triple bonds, E and Z, R and S
 SMILES = (
     "CC(=O)Oc1ccccc1C(=O)O",
@@ -296,7 +296,7 @@ def test_a_smiles_is_for_a_ligand(molecule):
     with pytest.raises(pliant.OptionError) as caught:
         pliant.conformers(molecule, smiles="CC")
     assert str(caught.value) == (
-        "smiles: expected None, or as molecule a Structure, or a PDB, mmCIF or XYZ file"
+        "smiles: goes with a PDB, mmCIF or XYZ file of one ligand, or a Structure"
     )
 
 
@@ -339,7 +339,7 @@ def test_another_frame_of_a_file_is_taken(tmp_path):
     frames = [embedded("CCO", seed) for seed in (1, 2)]
     path = tmp_path / "x.xyz"
     path.write_text("".join(map(Chem.MolToXYZBlock, frames)))
-    made = subject(path, "CCO", molecule={"frame": 2})
+    made = subject(path, "CCO", frame=2)
     assert made.warnings == []
     assert made.structure.positions == pytest.approx(pliant.read(path, 2).positions)
 

@@ -12,7 +12,7 @@ from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import read_records
 from pliant.conformers.workers import outcomes
 
-OPTIONS = ConformerOptions(frames=20, starts=1, most=2, energy="none")
+OPTIONS = ConformerOptions(frames=20, starts=1, max=2, energy="none")
 
 
 @pytest.fixture

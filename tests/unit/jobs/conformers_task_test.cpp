@@ -15,8 +15,8 @@ namespace conformers_task_test {
 
 TEST(ConformersTask, EachConformerHasTheBarsOfItsOwnStart) {
   const Structure glucose = test::bonded(molecule_file("glucose.cif"));
-  const ConformersAsked asked{.frames = 40, .seed = 3};
-  const auto starts = conformer_starts(glucose, 4, asked);
+  const ConformerOptions asked{.frames = 40, .starts = 4, .seed = 3};
+  const auto starts = conformer_starts(glucose, asked);
   ASSERT_GT(starts.size(), 1U);
   const DrawnConformers drawn = draw_conformers(starts, asked);
   ASSERT_EQ(drawn.positions.size(), 40U);
@@ -31,8 +31,8 @@ TEST(ConformersTask, EachConformerHasTheBarsOfItsOwnStart) {
 
 TEST(ConformersTask, OfOneStartTheyAreThoseOfASample) {
   const Structure aspirin = test::bonded(molecule_file("aspirin.sdf"));
-  const ConformersAsked asked{.frames = 10};
-  const auto starts = conformer_starts(aspirin, 1, asked);
+  const ConformerOptions asked{.frames = 10, .starts = 1};
+  const auto starts = conformer_starts(aspirin, asked);
   const DrawnConformers drawn = draw_conformers(starts, asked);
   SampleAsked wanted;
   wanted.options.sampler = "torsions";
@@ -48,10 +48,10 @@ TEST(ConformersTask, OfOneStartTheyAreThoseOfASample) {
 
 TEST(ConformersTask, ThreadsChangeNothing) {
   const Structure butane = test::bonded(molecule_file("butane.sdf"));
-  ConformersAsked asked{.frames = 30};
-  const DrawnConformers one = draw_conformers(conformer_starts(butane, 3, asked), asked);
+  ConformerOptions asked{.frames = 30, .starts = 3};
+  const DrawnConformers one = draw_conformers(conformer_starts(butane, asked), asked);
   asked.threads = 3;
-  const DrawnConformers three = draw_conformers(conformer_starts(butane, 3, asked), asked);
+  const DrawnConformers three = draw_conformers(conformer_starts(butane, asked), asked);
   ASSERT_EQ(one.positions.size(), three.positions.size());
   for (std::size_t k = 0; k < one.positions.size(); ++k)
     EXPECT_TRUE(test::same_bits(one.positions[k], three.positions[k]));
@@ -60,7 +60,7 @@ TEST(ConformersTask, ThreadsChangeNothing) {
 
 TEST(ConformersTask, NeedsAStart) {
   const Structure butane = test::bonded(molecule_file("butane.sdf"));
-  EXPECT_THROW(conformer_starts(butane, 0, {}), OptionError);
+  EXPECT_THROW(conformer_starts(butane, {.starts = 0}), OptionError);
 }
 
 }  // namespace conformers_task_test
