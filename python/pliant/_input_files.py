@@ -6,6 +6,7 @@ from __future__ import annotations
 import bz2
 import errno
 import gzip
+import hashlib
 import io
 import json
 import lzma
@@ -14,6 +15,8 @@ import stat
 import zlib
 from collections.abc import Callable, Iterator
 from typing import IO, Any, cast
+
+from pliant._core import FileError, InputError
 
 _EXPANDERS: dict[bytes, Callable[[IO[bytes]], Any]] = {
     b"\x1f\x8b": gzip.open,
@@ -38,6 +41,18 @@ def open_file(path: str, flags: int) -> int:
     raise OSError(errno.EINVAL, f"is a {what}, not a file", path)
 
 
+def file_digest(path: str | os.PathLike[str]) -> str:
+    """SHA-256 of a file's bytes. Raises FileError."""
+    try:
+        with open(path, "rb", opener=open_file) as file:
+            digest = hashlib.sha256()
+            while block := file.read(1 << 20):
+                digest.update(block)
+            return digest.hexdigest()
+    except OSError as error:
+        raise FileError(f"{os.fspath(path)}: {error.strerror}") from None
+
+
 def lines_of(path: str, longest: int, most: int, remedy: str) -> Iterator[str]:
     """Lines of text, also of a compressed file; one that is too long comes in pieces of `longest`.
 
@@ -45,8 +60,6 @@ def lines_of(path: str, longest: int, most: int, remedy: str) -> Iterator[str]:
     read, InputError where its compression is damaged, or where it expands to more than `most`
     letters, each of one byte or more; `remedy` is the option that allows more.
     """
-    from pliant._core import FileError, InputError
-
     left = most
     try:
         with open(path, "rb", opener=open_file) as file, _expanded(file) as lines:
@@ -76,8 +89,6 @@ def expect_file(path: str | os.PathLike[str]) -> None:
 
     Before a path is handed to another library. A folder may be an ensemble, or a store of Zarr.
     """
-    from pliant._core import FileError
-
     if not os.path.exists(path) or os.path.isdir(path):
         return
     try:

@@ -24,14 +24,11 @@ WRITES_IN_CPP = re.compile(
 #: what else writes, and why: (file, what stands on the line)
 EXCEPTIONS = {
     ("conformers/journal.py", "os.replace("): "a journal, and records that it commits one by one",
-    ("conformers/journal.py", "os.link("): "the same",
-    ("conformers/journal.py", ".rename("): "the same, where there are no links",
     ("ensemble/commits.py", ".rename("): "a log of commits",
     ("ensemble/folder_lock.py", "open("): "a lock, which holds nothing",
     ("ensemble/manifest.py", "open("): "a log: a line that is cut off does not count",
     ("ensemble/plan.py", "open("): "waits for the disk, as shards do",
     ("ensemble/scratch.py", "copyfile("): "a shard that was checked, from another disk",
-    ("ensemble/scratch.py", "os.link("): "the same",
     ("ensemble/scratch.py", "os.rename("): "the same",
     ("ensemble/scratch.py", ".rename("): "the same",
     ("ensemble/scratch.py", "open("): "a lock, which holds nothing",

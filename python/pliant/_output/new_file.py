@@ -86,6 +86,19 @@ def new_file(
         output.close()
 
 
+def take_name(made: Path, target: Path) -> bool:
+    """Gives a file its name. False, and it stays where it is, where another has that name."""
+    try:
+        os.link(made, target)
+    except OSError:  # the name is taken, or a file system without links
+        if target.exists():
+            return False
+        made.rename(target)
+    else:
+        made.unlink()
+    return True
+
+
 def cannot_write(place: str | os.PathLike[str], reason: OSError) -> FileError:
     """What the library says, too."""
     return FileError(f"{printable_name(place)}: cannot write: {reason.strerror}")

@@ -20,11 +20,9 @@ from typing import IO, Any
 from pliant import _core
 from pliant._core import FileError, InputError
 from pliant._file_lock import take_lock
-from pliant._input_files import open_file
+from pliant._output.new_file import take_name
 from pliant.conformers.workers import Outcome
 from pliant.console import printable_name
-
-_CHUNK = 2**20  #: bytes that are read at once
 
 
 def places(output: Path) -> tuple[Path, Path]:
@@ -33,18 +31,6 @@ def places(output: Path) -> tuple[Path, Path]:
         output.with_name(f".{output.name}.partial"),
         output.with_name(f".{output.name}.journal"),
     )
-
-
-def fingerprint(path: Path) -> dict[str, Any]:
-    """By which an input is known again."""
-    try:
-        found = hashlib.sha256()
-        with open(path, "rb", opener=open_file) as file:
-            while chunk := file.read(_CHUNK):
-                found.update(chunk)
-        return {"sha256": found.hexdigest()}
-    except OSError as error:
-        raise FileError(f"{printable_name(path)}: {error.strerror}") from None
 
 
 class Journal:
@@ -146,8 +132,8 @@ class Journal:
             partial.unlink()
         elif self.asked["overwrite"]:
             os.replace(partial, self.output)
-        else:
-            _take_name(partial, self.output)
+        elif not take_name(partial, self.output):
+            raise _in_the_way(self.output)
         journal.unlink()
 
     def close(self) -> None:
@@ -173,17 +159,6 @@ def _locked(path: Path, mode: str, output: Path) -> IO[bytes]:
 def _synced(file: IO[bytes]) -> None:
     file.flush()
     os.fsync(file.fileno())
-
-
-def _take_name(partial: Path, output: Path) -> None:
-    try:
-        os.link(partial, output)
-    except OSError:  # the name is taken, or a file system without links
-        if output.exists():
-            raise _in_the_way(output) from None
-        partial.rename(output)
-    else:
-        partial.unlink()
 
 
 def _is_named(partial: Path, output: Path) -> bool:

@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from pliant._core import InputError, OptionError
-from pliant.conformers.journal import Journal, fingerprint
+from pliant._input_files import file_digest
+from pliant.conformers.journal import Journal
 from pliant.conformers.options import ConformerOptions
 from pliant.conformers.records import Record, read_records, smiles_record
 from pliant.conformers.repeated import Repeated
@@ -38,7 +39,7 @@ class Source:
 
     def asked(self) -> dict[str, Any]:
         """For the journal."""
-        known = fingerprint(Path(self.file)) if self.file else {}
+        known = {"sha256": file_digest(self.file)} if self.file else {}
         return {"file": self.file, "smiles": self.smiles, "shard": self.shard, **known}
 
 
@@ -134,8 +135,7 @@ def resume(output: Path) -> Journal:
     """An unfinished one. Raises as Journal.resume, and InputError where the input has changed."""
     journal = Journal.resume(output)
     source, _ = what_was_asked(journal)
-    known = {"sha256": journal.asked.get("sha256")}
-    if source.file and fingerprint(Path(source.file)) != known:
+    if source.file and file_digest(source.file) != journal.asked["sha256"]:
         journal.close()
         raise InputError(f"{source.file}: is not the file that {output} was begun with")
     return journal

@@ -15,7 +15,8 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import Error, InputError
-from pliant.ensemble.plan import EnsemblePlan, Shard, file_digest
+from pliant._input_files import file_digest
+from pliant.ensemble.plan import EnsemblePlan, Shard
 
 POSITION = "particles/trajectory/position"
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import re
@@ -14,7 +13,7 @@ from typing import Any
 
 from pliant import _core
 from pliant._core import FileError, InputError, OptionError
-from pliant._input_files import json_object, open_file
+from pliant._input_files import file_digest, json_object, open_file
 from pliant.ensemble.options import Options, files_among, flag_of, text_of
 
 PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by this name
@@ -117,18 +116,6 @@ def make_plan(
     size = shard_size or USUAL_SHARD[command]
     path = os.path.abspath(input_file)
     return EnsemblePlan(command, path, count, size, options, digests, _core.version())
-
-
-def file_digest(path: str | os.PathLike[str]) -> str:
-    """SHA-256 of a file's bytes. Raises FileError."""
-    try:
-        with open(path, "rb", opener=open_file) as file:
-            digest = hashlib.sha256()
-            while block := file.read(1 << 20):
-                digest.update(block)
-            return digest.hexdigest()
-    except OSError as error:
-        raise FileError(f"{os.fspath(path)}: {error.strerror}") from None
 
 
 def is_ensemble(path: str | os.PathLike[str]) -> bool:

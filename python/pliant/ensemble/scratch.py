@@ -22,6 +22,7 @@ from typing import BinaryIO
 
 from pliant._core import FileError, OptionError
 from pliant._file_lock import take_lock
+from pliant._output.new_file import take_name
 from pliant.ensemble.plan import MAKING
 
 #: What --scratch without a folder means: queues set it for each job.
@@ -158,11 +159,4 @@ def _named(made: Path, target: Path, replaces: bool) -> bool:
         os.fsync(file.fileno())
     if replaces:
         made.rename(target)
-        return True
-    try:
-        os.link(made, target)
-    except FileExistsError:
-        return False
-    except OSError:  # a file system without links
-        made.rename(target)
-    return True
+    return replaces or take_name(made, target)

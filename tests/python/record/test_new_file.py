@@ -2,11 +2,12 @@
 """The one way to write a file: whole, or not at all, whoever writes it and whatever happens."""
 
 import errno
+import os
 import resource
 from contextlib import contextmanager, suppress
 
 import pytest
-from pliant._output.new_file import new_file, new_text, write_text
+from pliant._output.new_file import new_file, new_text, take_name, write_text
 
 import pliant
 
@@ -96,6 +97,18 @@ def test_what_came_to_be_meanwhile_is_not_replaced(tmp_path):
         place.write_bytes(b"theirs")
     assert str(said.value) == f"{place}: exists already; overwrite replaces it"
     assert place.read_bytes() == b"theirs" and names(tmp_path) == ["a.txt"]
+
+
+@pytest.mark.parametrize("has_links", [True, False])
+def test_a_name_is_taken_once(tmp_path, monkeypatch, has_links):
+    made, target = tmp_path / "made", tmp_path / "target"
+    if not has_links:
+        monkeypatch.setattr(os, "link", lambda made, _: os.rmdir(made))  # an OSError
+    made.write_text("first")
+    assert take_name(made, target)
+    made.write_text("second")
+    assert not take_name(made, target)
+    assert (made.read_text(), target.read_text()) == ("second", "first")
 
 
 def test_where_it_cannot_be_is_said_before_anything_is_made(tmp_path):
