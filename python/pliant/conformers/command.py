@@ -38,8 +38,8 @@ FILE may also be the PDB, mmCIF or XYZ file of one ligand. Bond orders are those
 (chem_comp_bond of mmCIF, doubled CONECT of PDB). Where it has none, RDKit guesses them from the
 hydrogens, if all are there. With --smiles TEXT, bond orders, charges and hydrogens are those of the
 SMILES, and heavy atoms stay where they are. A SMILES of another molecule or isomer is refused.
---select takes the ligand out of a complex. It and the other options under Molecule (but
---max-input) and Model go with the file of one ligand.
+--select takes the ligand out of a complex. It and the other options under Molecule and Model go
+with the file of one ligand.
 
 The output does not depend on --threads; after a kill --continue gives the same bytes.
 

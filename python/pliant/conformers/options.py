@@ -25,7 +25,7 @@ class ConformerOptions(SimpleNamespace):
     before the names of options in messages: "--" for the command.
     """
 
-    def __init__(self, dashes: str = "", **given: Any) -> None:
+    def __init__(self, dashes: str = "", /, **given: Any) -> None:
         super().__init__(dashes=dashes, **conformer_options(**given))
         self.smiles = given.get("smiles")  # "" is none that is given, and wrong
 

@@ -72,9 +72,7 @@ def _write_mmcif(molecule, path, orders):
 
 
 def subject(path, smiles=None, **more):
-    return subject_of(
-        next(read_records(path)), ConformerOptions(smiles=smiles, dashes="--", **more)
-    )
+    return subject_of(next(read_records(path)), ConformerOptions("--", smiles=smiles, **more))
 
 
 def refused(path, smiles=None, **more):
