@@ -57,7 +57,7 @@ WINGS = {
     "molecule/read": ("shared", "pdb", "cif", "sdf", "xyz"),
     "model": ("atoms", "prepare", "contacts", ITSELF, "rigidity"),
     "perturb": (ITSELF, "force_files"),
-    "resolve": ("method", "sweeps", "newton", "shake", "blocks", "lanes", "bodies"),
+    "resolve": ("method", "sweeps", "equations", "newton", "shake", "blocks", "lanes", "bodies"),
     "resolve/bodies": ("tree", "near", "pull", "outward", "region"),
     "conformers": ("rings", "torsions", "strain", "choice"),
     "sample": ("network", "turns", "pocket"),

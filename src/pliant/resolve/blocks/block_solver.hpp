@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "pliant/resolve/equations/bar_newton.hpp"
 #include "pliant/resolve/method/resolve_summary.hpp"
 #include "pliant/resolve/method/technique.hpp"
-#include "pliant/resolve/newton/bar_newton.hpp"
 
 namespace pliant {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pliant/resolve/bodies/froda.hpp"
-#include "pliant/resolve/newton/kept_shapes.hpp"
+#include "pliant/resolve/equations/kept_shapes.hpp"
 #include "pliant/resolve/newton/newton.hpp"
 #include "pliant/resolve/shake/shake.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "pliant/resolve/newton/direct_method.hpp"
-#include "pliant/resolve/newton/kept_shapes.hpp"
+#include "pliant/resolve/equations/direct_method.hpp"
+#include "pliant/resolve/equations/kept_shapes.hpp"
 #include "pliant/resolve/newton/nearest_point.hpp"
 
 namespace pliant {

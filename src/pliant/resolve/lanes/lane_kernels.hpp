@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-#include "pliant/resolve/newton/bar_pattern.hpp"
+#include "pliant/resolve/equations/bar_pattern.hpp"
 
 namespace pliant {
 

@@ -3,8 +3,8 @@
 // lane_level.cpp.
 #pragma once
 
+#include "pliant/resolve/equations/bar_loops.hpp"
 #include "pliant/resolve/lanes/lane_bar_kernels.hpp"
-#include "pliant/resolve/newton/bar_loops.hpp"
 
 namespace pliant::PLIANT_LANE_LEVEL {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "pliant/resolve/newton/bar_loops.hpp"
+#include "pliant/resolve/equations/bar_loops.hpp"
 
 namespace pliant {
 JointScales joint_scales(const BarEquations& equations) {

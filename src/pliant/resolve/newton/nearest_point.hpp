@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "pliant/resolve/newton/bar_newton.hpp"
+#include "pliant/resolve/equations/bar_newton.hpp"
 
 namespace pliant {
 

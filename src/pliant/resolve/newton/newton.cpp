@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/newton/newton.hpp"
 
-#include "pliant/resolve/newton/direct_method.hpp"
+#include "pliant/resolve/equations/direct_method.hpp"
 #include "pliant/resolve/newton/nearest_point.hpp"
 
 namespace pliant {

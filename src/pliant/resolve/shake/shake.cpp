@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "pliant/resolve/equations/bar_loops.hpp"
+#include "pliant/resolve/equations/direct_method.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
-#include "pliant/resolve/newton/bar_loops.hpp"
-#include "pliant/resolve/newton/direct_method.hpp"
 
 namespace pliant {
 namespace {

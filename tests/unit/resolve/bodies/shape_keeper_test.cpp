@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "pliant/lab/examples/examples.hpp"
-#include "pliant/resolve/newton/kept_shapes.hpp"
+#include "pliant/resolve/equations/kept_shapes.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "support/frameworks.hpp"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/resolve/newton/bar_pattern.hpp"
+#include "pliant/resolve/equations/bar_pattern.hpp"
 
 namespace pliant {
 

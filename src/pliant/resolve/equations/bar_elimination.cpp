@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/newton/bar_elimination.hpp"
+#include "pliant/resolve/equations/bar_elimination.hpp"
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>

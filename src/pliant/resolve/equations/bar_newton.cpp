@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/newton/bar_newton.hpp"
+#include "pliant/resolve/equations/bar_newton.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/resolve/newton/bar_loops.hpp"
+#include "pliant/resolve/equations/bar_loops.hpp"
 
 namespace pliant {
 PartResult BarNewton::make_whole(Part part, const RandomKey& key, const MayGoOn& may_go_on) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pliant/base/random.hpp"
-#include "pliant/resolve/newton/bar_equations.hpp"
+#include "pliant/resolve/equations/bar_equations.hpp"
 
 namespace pliant {
 

@@ -20,8 +20,8 @@
 
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/measures/residual.hpp"
-#include "pliant/resolve/newton/bar_elimination.hpp"
-#include "pliant/resolve/newton/sparse_ldl.hpp"
+#include "pliant/resolve/equations/bar_elimination.hpp"
+#include "pliant/resolve/equations/sparse_ldl.hpp"
 
 namespace pliant {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/newton/kept_shapes.hpp"
+#include "pliant/resolve/equations/kept_shapes.hpp"
 
 #include <algorithm>
 #include <array>

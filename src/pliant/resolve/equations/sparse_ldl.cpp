@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/newton/sparse_ldl.hpp"
+#include "pliant/resolve/equations/sparse_ldl.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "pliant/resolve/newton/bar_loops.hpp"
+#include "pliant/resolve/equations/bar_loops.hpp"
 
 namespace pliant {
 namespace {

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "pliant/base/vec3.hpp"
-#include "pliant/resolve/newton/bar_pattern.hpp"
+#include "pliant/resolve/equations/bar_pattern.hpp"
 
 namespace pliant {
 

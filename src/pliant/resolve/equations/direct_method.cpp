@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/newton/direct_method.hpp"
+#include "pliant/resolve/equations/direct_method.hpp"
 
 #include <algorithm>
 

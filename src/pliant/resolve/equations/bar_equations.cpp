@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/newton/bar_equations.hpp"
+#include "pliant/resolve/equations/bar_equations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "pliant/base/graphs/grouped.hpp"
+#include "pliant/resolve/equations/bar_loops.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
-#include "pliant/resolve/newton/bar_loops.hpp"
 
 namespace pliant {
 namespace {

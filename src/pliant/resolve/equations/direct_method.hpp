@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "pliant/resolve/equations/bar_newton.hpp"
 #include "pliant/resolve/method/method.hpp"
-#include "pliant/resolve/newton/bar_newton.hpp"
 
 namespace pliant {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/newton/sparse_ldl.hpp"
+#include "pliant/resolve/equations/sparse_ldl.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 
 #include "pliant/base/random.hpp"
-#include "pliant/resolve/newton/bar_elimination.hpp"
+#include "pliant/resolve/equations/bar_elimination.hpp"
 
 namespace pliant {
 namespace sparse_ldl_test {
