@@ -5,7 +5,7 @@
 
 #include "pliant/resolve/equations/direct_method.hpp"
 #include "pliant/resolve/equations/kept_shapes.hpp"
-#include "pliant/resolve/newton/nearest_point.hpp"
+#include "pliant/resolve/newton/newton.hpp"
 
 namespace pliant {
 namespace {

@@ -118,7 +118,8 @@ struct LaneKernels {
   /// One part of technique `shake`; `reference` has the framework's joints, or is null.
   LaneResult (*shake)(const BarPattern& part, const LaneRoom& room, const LaneVector* reference,
                       std::int64_t most_iterations, LaneVector* x);
-  /// One part of technique `newton`: NearestPoint::find without what follows NearestPoint::iterate.
+  /// One part of technique `newton`: NearestPoint::solve without what follows
+  /// NearestPoint::iterate.
   LaneResult (*nearest)(const BarPattern& part, const LaneRoom& room,
                         const LaneNearestRoom& nearest_room, std::int64_t most_iterations,
                         LaneVector* x);
