@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant._core import InputError
-from pliant.analyse.draw import Drawing
 from pliant.analyse.exports import save_exports
+from pliant.analyse.figures.draw_in_parallel import Drawing
 from pliant.analyse.page.additions import NOTHING, Additions
 from pliant.analyse.page.page import write_page
 from pliant.analyse.tables import save_tables

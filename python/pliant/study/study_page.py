@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from pliant.analyse.page.additions import Additions
 from pliant.analyse.page.page_tables import PageTable
-from pliant.analyse.page.sections import ON_THE_WAY, STARTS
+from pliant.analyse.page.section_titles import ON_THE_WAY, STARTS
 from pliant.study.answers import LABELS
 
 if TYPE_CHECKING:

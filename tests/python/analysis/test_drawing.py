@@ -7,9 +7,9 @@ import sys
 import threading
 
 import pytest
-from pliant.analyse import draw
 from pliant.analyse.analysis import AnalysisOptions
-from pliant.analyse.figures import figures_of
+from pliant.analyse.figures import draw_in_parallel
+from pliant.analyse.figures.figure_table import figures_of
 from pliant.analyse.stages import analyse_trajectory
 
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
@@ -17,7 +17,7 @@ on_linux = pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux on
 
 @pytest.fixture
 def analysis(tmp_path, peptide, wander, write_run, monkeypatch):
-    monkeypatch.setattr(draw, "figures_of", lambda analysis: figures_of(analysis)[-2:])
+    monkeypatch.setattr(draw_in_parallel, "figures_of", lambda analysis: figures_of(analysis)[-2:])
     trajectory = wander(peptide, peptide.rotatable, 12, degrees=25.0)
     run = write_run(tmp_path / "run.h5md", peptide, trajectory)
     return analyse_trajectory(AnalysisOptions(os.fspath(run), None))
@@ -25,7 +25,7 @@ def analysis(tmp_path, peptide, wander, write_run, monkeypatch):
 
 def drawn(analysis, folder):
     folder.mkdir()
-    with draw.Drawing(analysis, folder, 60) as drawing:
+    with draw_in_parallel.Drawing(analysis, folder, 60) as drawing:
         figures = drawing.finish()
     assert [path.stem for _, path in figures] == [kind.name for kind, _ in figures]
     return {path.name: path.read_bytes() for _, path in figures}
@@ -33,10 +33,12 @@ def drawn(analysis, folder):
 
 @on_linux
 def test_two_processes_write_the_bytes_of_one(analysis, tmp_path, monkeypatch):
-    monkeypatch.setattr(draw, "_may_fork", lambda: False)
+    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: False)
     alone = drawn(analysis, tmp_path / "one")
-    monkeypatch.setattr(draw, "_may_fork", lambda: True)
-    monkeypatch.setattr(draw.Drawing, "finish", finish_after_the_other(draw.Drawing.finish))
+    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: True)
+    monkeypatch.setattr(
+        draw_in_parallel.Drawing, "finish", finish_after_the_other(draw_in_parallel.Drawing.finish)
+    )
     assert drawn(analysis, tmp_path / "two") == alone
     assert len(alone) == 2
 
@@ -53,28 +55,30 @@ def finish_after_the_other(finish):
 
 @on_linux
 def test_what_a_process_that_dies_left_out_is_drawn(analysis, tmp_path, monkeypatch):
-    monkeypatch.setattr(draw, "_may_fork", lambda: False)
+    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: False)
     alone = drawn(analysis, tmp_path / "one")
-    monkeypatch.setattr(draw, "_may_fork", lambda: True)
+    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: True)
     mine = os.getpid()
-    save = draw.save_figure
+    save = draw_in_parallel.save_figure
 
     def save_or_die(*what):
         if os.getpid() != mine:
             os.kill(os.getpid(), signal.SIGKILL)  # which no handler turns into pages of a trace
         save(*what)
 
-    monkeypatch.setattr(draw, "save_figure", save_or_die)
-    monkeypatch.setattr(draw.Drawing, "finish", finish_after_the_other(draw.Drawing.finish))
+    monkeypatch.setattr(draw_in_parallel, "save_figure", save_or_die)
+    monkeypatch.setattr(
+        draw_in_parallel.Drawing, "finish", finish_after_the_other(draw_in_parallel.Drawing.finish)
+    )
     assert drawn(analysis, tmp_path / "two") == alone
 
 
 @on_linux
 def test_no_process_is_left_when_the_work_beside_fails(analysis, tmp_path, monkeypatch):
-    monkeypatch.setattr(draw, "_may_fork", lambda: True)
+    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: True)
     with (
         pytest.raises(RuntimeError, match="beside"),
-        draw.Drawing(analysis, tmp_path, 60) as drawing,
+        draw_in_parallel.Drawing(analysis, tmp_path, 60) as drawing,
     ):
         child = drawing._child
         raise RuntimeError("beside")
@@ -89,7 +93,7 @@ def test_a_process_with_other_threads_is_not_forked(analysis):
     other.start()
     here.wait()
     try:
-        assert not draw._may_fork()
+        assert not draw_in_parallel._may_fork()
     finally:
         go.set()
         other.join()

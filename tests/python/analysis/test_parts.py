@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from pliant.analyse.analysis import AnalysisOptions
-from pliant.analyse.figures import figures_of
+from pliant.analyse.figures.figure_table import figures_of
 from pliant.analyse.page.page_tables import tables
 from pliant.analyse.parts import Components, RigidDomains, Rmsd, Torsions, Units
 from pliant.analyse.stages import analyse_trajectory

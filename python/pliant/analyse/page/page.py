@@ -32,13 +32,13 @@ from pliant.analyse.page.html import (
 from pliant.analyse.page.methods import METHODS
 from pliant.analyse.page.page_tables import facts, tables, title
 from pliant.analyse.page.scene import scene
-from pliant.analyse.page.sections import SECTIONS, WIDE_SECTIONS
+from pliant.analyse.page.section_titles import SECTIONS, WIDE_SECTIONS
 from pliant.analyse.parts import Residuals
 from pliant.analyse.verdicts import verdicts
 
 if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
-    from pliant.analyse.figures import FigureKind
+    from pliant.analyse.figures.figure_table import FigureKind
 
 
 MARKS = {"good": "✓", "mixed": "!", "bad": "✕", "open": "–"}

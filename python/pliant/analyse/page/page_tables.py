@@ -16,7 +16,7 @@ from pliant.analyse.domains.domain_texts import domain_rows
 from pliant.analyse.figures.torsion_figures import most_mobile
 from pliant.analyse.kind import ENSEMBLE, TRANSITION
 from pliant.analyse.names import bar_labels, greek
-from pliant.analyse.page.sections import (
+from pliant.analyse.page.section_titles import (
     CHEMISTRY,
     COLLECTIVE,
     EXACT,

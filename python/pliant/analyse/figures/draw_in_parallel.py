@@ -10,7 +10,7 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pliant.analyse.figures import FigureKind, figures_of, picture_path, save_figure
+from pliant.analyse.figures.figure_table import FigureKind, figures_of, picture_path, save_figure
 
 if TYPE_CHECKING:
     from typing_extensions import Self
