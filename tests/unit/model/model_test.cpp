@@ -10,7 +10,6 @@
 #include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/model/contacts/hydrogen_bond_energy.hpp"
 #include "pliant/model/contacts/hydrogen_bonds.hpp"
-#include "pliant/model/contacts/tethers.hpp"
 #include "pliant/model/steric_table.hpp"
 #include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
@@ -89,18 +88,18 @@ TEST(Tethers, AreBetweenCarbonsOfResiduesApart) {
   Structure s;
   for (int k = 0; k < 3; ++k) add_residue(s, "ALA", k + 1, {{"CB", "C", {3.8 * k, 0.0, 0.0}}});
   add_residue(s, "ALA", 9, {{"CB", "C", {0.0, 3.6, 0.0}}}, "B");
-  const auto found = hydrophobic_tethers(s);
+  const auto found = find_tethers(s, {});
   ASSERT_EQ(found.size(), 1U);  // neighbours in a chain are none
   EXPECT_EQ(found[0].a, 0U);
   EXPECT_EQ(found[0].b, 3U);
   EXPECT_NEAR(found[0].most, 3.6 + 0.5, 1e-12);
 }
 
-TEST(Tethers, AMetalWithoutBondsIsHeldByWhatIsBesideIt) {
+TEST(Metals, AMetalWithoutBondsIsHeldByWhatIsBesideIt) {
   Structure s;
   add_residue(s, "ZN", 1, {{"ZN", "Zn", {0, 0, 0}}});
   add_residue(s, "CYS", 4, {{"SG", "S", {2.3, 0, 0}}});
-  const auto found = metal_contacts(s);
+  const auto found = find_metals(s, {});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].least, 2.1, 1e-12);
   EXPECT_NEAR(found[0].most, 2.5, 1e-12);

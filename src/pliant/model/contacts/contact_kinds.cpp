@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The rows are in framework/contact_kind_rows.hpp, the finders in files beside this one.
 #include "pliant/model/contacts/contact_kinds.hpp"
 
 #include <algorithm>

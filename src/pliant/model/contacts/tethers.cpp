@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/model/contacts/tethers.hpp"
-
+// Hydrophobic tethers: C and S whose neighbours are C, S and H only, in residues that are two or
+// more apart, nearer than the sum of their van der Waals radii (C 1.7, S 1.8 Angstrom) + 0.5. Held
+// below max(start, sum) + 0.5 Angstrom, as FIRST and FRODA do (Hespenheide et al., J. Phys.
+// Condens. Matter 16 (2004) S5055; they take 0.25).
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/base/elements.hpp"
 #include "pliant/base/math/cell_list.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
-#include "pliant/model/atoms/near_atoms.hpp"
-#include "pliant/molecule/bonds/coordination.hpp"
+#include "pliant/model/contacts/contact_list.hpp"
 
 namespace pliant {
 namespace {
@@ -16,7 +16,6 @@ namespace {
 constexpr std::uint8_t carbon = 6, sulphur = 16;
 constexpr double carbon_radius = 1.7, sulphur_radius = 1.8;  // Angstrom, van der Waals (Bondi)
 constexpr double tether_energy = -1.0;                       // kcal/mol
-constexpr double metal_energy = -20.0;                       // kcal/mol: never diluted
 
 bool is_carbon_or_sulphur(const Structure& structure, std::uint32_t atom) {
   const std::uint8_t element = structure.atoms.elements[atom];
@@ -49,31 +48,19 @@ bool are_of_neighbours(const AtomTable& atoms, std::uint32_t a, std::uint32_t b)
   return q == p || (q == p + 1 && atoms.residues[p].chain == atoms.residues[q].chain);
 }
 
-/// Whether a metal holds an atom: one in reach that is not of the complex the metal is bonded in.
-bool holds(const Structure& structure, const AtomGraph& graph, std::uint32_t metal,
-           std::uint32_t atom) {
-  const AtomTable& atoms = structure.atoms;
-  if (distance(structure.positions[metal], structure.positions[atom]) >
-      coordination_reach(atoms.elements[metal], atoms.elements[atom]))
-    return false;
-  const bool is_in_complex = !graph.at(metal).empty();
-  return !(is_in_complex && atoms.residue_of[metal] == atoms.residue_of[atom]) &&
-         !graph.are_within_two_bonds(metal, atom);
-}
-
 }  // namespace
 
-std::vector<MolecularContact> hydrophobic_tethers(const Structure& structure,
-                                                  const TetherOptions& options) {
+std::vector<MolecularContact> find_tethers(const Structure& structure,
+                                           const ContactOptions& options) {
   const std::vector<std::uint32_t> atoms = hydrophobic_atoms(structure);
   std::vector<Vec3> points;
   for (std::uint32_t atom : atoms) points.push_back(structure.positions[atom]);
   std::vector<MolecularContact> found;
-  const double furthest = 2.0 * sulphur_radius + options.reach;
+  const double furthest = 2.0 * sulphur_radius + options.tethers.reach;
   CellList(points, furthest).for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
     const std::uint32_t a = atoms[i], b = atoms[j];
     const double usual = radius(structure, a) + radius(structure, b);
-    if (std::sqrt(squared) >= usual + options.reach) return;
+    if (std::sqrt(squared) >= usual + options.tethers.reach) return;
     if (are_of_neighbours(structure.atoms, a, b)) return;
     MolecularContact contact{MolecularContactKind::hydrophobic, a, b};
     contact.energy = tether_energy;
@@ -82,38 +69,6 @@ std::vector<MolecularContact> hydrophobic_tethers(const Structure& structure,
   });
   sort(found);
   return found;
-}
-
-std::vector<MolecularContact> find_tethers(const Structure& structure,
-                                           const ContactOptions& options) {
-  return hydrophobic_tethers(structure, options.tethers);
-}
-
-std::vector<MolecularContact> metal_contacts(const Structure& structure) {
-  const AtomGraph graph(structure);
-  std::vector<std::uint32_t> metals, others;
-  for (std::uint32_t i = 0; i < structure.size(); ++i)
-    (is_metal(structure.atoms.elements[i]) ? metals : others).push_back(i);
-  if (metals.empty()) return {};
-  double furthest = 0.0;
-  for (std::uint32_t metal : metals)
-    furthest = std::max(furthest, coordination_reach(structure.atoms.elements[metal], sulphur));
-  const auto near = near_atoms(structure, metals, others, furthest);
-  std::vector<MolecularContact> found;
-  for (std::size_t k = 0; k < metals.size(); ++k)
-    for (std::uint32_t atom : near.at(k)) {
-      if (!holds(structure, graph, metals[k], atom)) continue;
-      MolecularContact contact{MolecularContactKind::metal, metals[k], atom};
-      contact.energy = metal_energy;
-      set_limits(contact, structure);
-      found.push_back(contact);
-    }
-  sort(found);
-  return found;
-}
-
-std::vector<MolecularContact> find_metals(const Structure& structure, const ContactOptions&) {
-  return metal_contacts(structure);
 }
 
 }  // namespace pliant

@@ -18,7 +18,7 @@ std::size_t index_of(char conformer) { return static_cast<unsigned char>(conform
 /// Atoms of one name, one after the other.
 using Indices = std::vector<std::size_t>;
 
-Indices sorted_by_name(const std::vector<ConformerAtom>& atoms) {
+Indices sorted_by_name(const std::vector<AltlocAtom>& atoms) {
   Indices order(atoms.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -28,7 +28,7 @@ Indices sorted_by_name(const std::vector<ConformerAtom>& atoms) {
 
 /// Calls `visit(first, last)` for each run of atoms with one name.
 template <class Visit>
-void for_each_name(const std::vector<ConformerAtom>& atoms, const Indices& order, Visit visit) {
+void for_each_name(const std::vector<AltlocAtom>& atoms, const Indices& order, Visit visit) {
   for (auto first = order.begin(); first != order.end();) {
     const auto last = std::find_if(
         first, order.end(), [&](std::size_t k) { return atoms[k].name != atoms[*first].name; });
@@ -49,7 +49,7 @@ struct Contest {
 };
 
 /// Atoms without a conformer count only where their name has one, too.
-Contest hold(const std::vector<ConformerAtom>& atoms, const Indices& order) {
+Contest hold(const std::vector<AltlocAtom>& atoms, const Indices& order) {
   Contest contest;
   LetterSet seen;
   std::vector<bool> counts(atoms.size(), false);
@@ -84,7 +84,7 @@ LetterSet winners(Contest& contest) {
 
 }  // namespace
 
-std::vector<bool> choose_conformers(const std::vector<ConformerAtom>& atoms) {
+std::vector<bool> choose_altlocs(const std::vector<AltlocAtom>& atoms) {
   const Indices order = sorted_by_name(atoms);
   Contest contest = hold(atoms, order);
   const LetterSet chosen = winners(contest);

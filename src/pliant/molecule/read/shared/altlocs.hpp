@@ -8,7 +8,7 @@
 namespace pliant {
 
 /// One listed atom of a residue that has alternate locations.
-struct ConformerAtom {
+struct AltlocAtom {
   std::string_view name;
   char conformer;  ///< ' ' for none
   float occupancy;
@@ -17,6 +17,6 @@ struct ConformerAtom {
 /// Whether each atom is kept. Conformers that share no atom name do not compete: both can be kept.
 /// An atom without a conformer is kept unless a chosen conformer has its name. O(N log N) for a
 /// number of conformers that is bounded by the number of characters.
-std::vector<bool> choose_conformers(const std::vector<ConformerAtom>& atoms);
+std::vector<bool> choose_altlocs(const std::vector<AltlocAtom>& atoms);
 
 }  // namespace pliant

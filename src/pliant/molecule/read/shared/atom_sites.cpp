@@ -74,10 +74,10 @@ void drop_dummies(const AtomSites& sites, std::vector<bool>& keep, Remarks& rema
 void drop_conformers(const AtomSites& sites, std::vector<bool>& keep, Remarks& remarks) {
   std::size_t residues = 0, count = 0, first = 0;
   for (const auto& [seat, group] : groups_of(sites)) {
-    std::vector<ConformerAtom> listed;
+    std::vector<AltlocAtom> listed;
     for (std::uint32_t i : group)
       listed.push_back({sites.structure.atoms.names[i], sites.conformers[i], sites.occupancies[i]});
-    const std::vector<bool> stays = choose_conformers(listed);
+    const std::vector<bool> stays = choose_altlocs(listed);
     for (std::size_t k = 0; k < group.size(); ++k) {
       if (stays[k]) continue;
       keep[group[k]] = false;

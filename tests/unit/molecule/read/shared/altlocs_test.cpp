@@ -10,9 +10,9 @@ namespace pliant {
 namespace conformers_test {
 
 /// One letter an atom: 'x' where it stays, '-' where it goes.
-std::string kept(const std::vector<ConformerAtom>& atoms) {
+std::string kept(const std::vector<AltlocAtom>& atoms) {
   std::string text;
-  for (bool stays : choose_conformers(atoms)) text += stays ? 'x' : '-';
+  for (bool stays : choose_altlocs(atoms)) text += stays ? 'x' : '-';
   return text;
 }
 
@@ -47,11 +47,11 @@ TEST(Conformers, AtomsWithoutOneStayUnlessTheirNameIsChosen) {
 TEST(Conformers, ManyAtomsInLittleTime) {
   std::vector<std::string> names;
   for (int k = 0; k < 200'000; ++k) names.push_back(std::to_string(k / 2));
-  std::vector<ConformerAtom> atoms;
+  std::vector<AltlocAtom> atoms;
   for (std::size_t k = 0; k < names.size(); ++k)
     atoms.push_back({names[k], k % 2 == 0 ? 'A' : 'B', k % 2 == 0 ? 0.4F : 0.6F});
   const std::clock_t begin = std::clock();  // of this process: others may be busy
-  const std::vector<bool> stays = choose_conformers(atoms);
+  const std::vector<bool> stays = choose_altlocs(atoms);
   EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
   for (std::size_t k = 0; k < stays.size(); ++k) ASSERT_EQ(stays[k], k % 2 == 1);
 }
