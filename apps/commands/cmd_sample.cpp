@@ -12,6 +12,7 @@
 #include "pliant/base/printable.hpp"
 #include "pliant/jobs/files/frame_output.hpp"
 #include "pliant/jobs/sample_job.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace pliant::app {
 namespace {
@@ -81,7 +82,8 @@ int go_on(const CommandLine& line, SampleSettings& settings) {
 
 /// Of several records one is taken only if it was asked for.
 void refuse_library(const CommandLine& line, const Structure& structure) {
-  if (structure.format == "sdf" && structure.model_count > 1 && !line.was_given("--frame"))
+  if (is_from(structure, &Format::has_small_molecules) && structure.model_count > 1 &&
+      !line.was_given("--frame"))
     throw OptionError(printable_name(structure.source) + ": holds " +
                       std::to_string(structure.model_count) +
                       " molecules: pliant conformers makes conformers of all; --frame N takes one");

@@ -15,19 +15,22 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/molecule/read/read.hpp"
 #include "pliant/text/file_text.hpp"
 
 namespace pliant::app {
 namespace {
 
-constexpr const char* molecules = "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz)";
-constexpr const char* molecules_or_graph =
-    "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz), or a graph (.xml)";
+std::string known_files(bool takes_graphs) {
+  std::string labels;
+  for (const Format& format : formats())
+    labels.append(labels.empty() ? "" : ", ").append(format.label);
+  return labels + " (also .gz, .bz2, .xz)" + (takes_graphs ? ", or a graph (.xml)" : "");
+}
 
 void add_file(CommandLine& line, InputOptions& input, bool takes_graphs) {
   line.start_group("Molecule");
-  line.add_required_text("input", input.file, "FILE",
-                         takes_graphs ? molecules_or_graph : molecules);
+  line.add_required_text("input", input.file, "FILE", known_files(takes_graphs));
 }
 
 template <class Fields, class Options>

@@ -17,10 +17,20 @@ constexpr std::int64_t most_models = 1'000'000'000;
 template <auto Member>
 constexpr auto at = place_at<InputOptions, Member>;
 
+std::string_view format_summary() {
+  static const std::string text = [] {
+    std::string names;
+    for (const Format& format : formats())
+      names.append(names.empty() ? "" : ", ").append(format.name);
+    return names + " (default: by extension or content)";
+  }();
+  return text;
+}
+
 const OptionField<InputOptions> table[] = {
     {{.name = "format",
       .group = group,
-      .summary = "pdb, mmcif, xyz or sdf (default: by extension or content)",
+      .summary = format_summary(),
       .choices = [] { return names_of(formats()); },
       .kind = "format",
       .is_optional = true,

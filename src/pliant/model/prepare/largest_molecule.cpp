@@ -8,11 +8,12 @@
 
 #include "pliant/base/graphs/graph.hpp"
 #include "pliant/model/prepare/edit_structure.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace pliant {
 
 Structure largest_molecule(const Structure& structure, const Log& log) {
-  if (structure.format != "sdf") return structure;
+  if (!is_from(structure, &Format::has_small_molecules)) return structure;
   const Components parts = find_components(Graph(structure.size(), structure.bonds));
   if (parts.count < 2) return structure;
   std::vector<std::pair<std::size_t, std::size_t>> sizes(parts.count);  // heavy atoms, atoms

@@ -14,6 +14,7 @@
 #include "pliant/molecule/bonds/stated_bonds.hpp"
 #include "pliant/molecule/bonds/template_bonds.hpp"
 #include "pliant/molecule/bonds/valence.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace pliant {
 namespace {
@@ -129,7 +130,7 @@ void warn_of_doubts(const Perception& perception, const Log& log) {
   tell_of_stated(perception, log);
   warn(log, perception.crowded, "atom",
        "where atoms crowd: no bonds guessed there (are the coordinates in Angstrom?)");
-  if (structure.format != "sdf")
+  if (!is_from(structure, &Format::has_small_molecules))
     warn(log, overfull_atoms(structure), "atom", "with more bonds than such atoms have");
   warn(log, unknown_atoms(structure), "atom", "of unknown element without bonds");
 }
@@ -137,8 +138,8 @@ void warn_of_doubts(const Perception& perception, const Log& log) {
 void take_steps(Perception& steps) {
   const Structure& structure = steps.structure;
   perception::judge_stated_bonds(steps);
-  // An SDF file's bond block is whole: nothing is left to guess, and a drawing's distances lie.
-  if (structure.format != "sdf" || structure.bonds.empty()) {
+  // All bonds of such a file are stated: nothing is left to guess, and a drawing's distances lie.
+  if (!is_from(structure, &Format::has_small_molecules) || structure.bonds.empty()) {
     add_template_bonds(steps);
     add_links(steps);
     perception::sort_and_merge(steps.bonds, structure.size());

@@ -10,6 +10,7 @@
 #include "pliant/base/graphs/grouped.hpp"
 #include "pliant/base/math/cell_list.hpp"
 #include "pliant/molecule/bonds/valence.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace pliant::perception {
 namespace {
@@ -101,7 +102,8 @@ class DistanceStep {
     const bool is_alone = piece.last - piece.first == 1;
     if (covalent_radius(element) <= 0.0) return false;
     if (is_metal(element))
-      return !is_alone && !is_always_ion(element) && p_.structure.format != "xyz";
+      return !is_alone && !is_always_ion(element) &&
+             !is_from(p_.structure, &Format::has_bare_atoms);
     if (is_alone && is_halogen(element)) return false;
     return most_neighbours(element) > 0;
   }

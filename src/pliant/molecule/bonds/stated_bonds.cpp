@@ -6,6 +6,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/molecule/bonds/coordination.hpp"
 #include "pliant/molecule/bonds/cut_bonds.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace pliant::perception {
 namespace {
@@ -23,7 +24,7 @@ class Judge {
 
  private:
   bool is_flat() const {
-    return p_.structure.format == "sdf" &&
+    return is_from(p_.structure, &Format::has_small_molecules) &&
            std::ranges::all_of(p_.structure.positions, [](Vec3 p) { return p.z == 0.0; });
   }
 
@@ -35,7 +36,7 @@ class Judge {
       return false;
     }
     if (!is_long(bond, length)) return true;
-    const bool stays = is_of_metal(bond) || p_.structure.format == "sdf";
+    const bool stays = is_of_metal(bond) || is_from(p_.structure, &Format::has_small_molecules);
     (stays ? p_.long_kept : p_.long_out).push_back(bond);
     return stays;
   }

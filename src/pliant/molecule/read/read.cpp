@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/molecule/read/read.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -26,13 +27,36 @@ constexpr std::array<std::string_view, 3> mmcif_extensions{".cif", ".mmcif", ".m
 constexpr std::array<std::string_view, 2> xyz_extensions{".xyz", ".extxyz"};
 
 // Looked through by content in this order: XYZ last, as a number on the first line says least.
-const std::array<Format, 4> table{{
-    {"pdb", "Protein Data Bank, fixed columns, and PDBQT", pdb_extensions, looks_like_pdb,
-     read_pdb},
-    {"mmcif", "PDBx/mmCIF", mmcif_extensions, looks_like_mmcif, read_mmcif},
-    {"sdf", "MDL molfile and SDF, V2000 and V3000", sdf_extensions, looks_like_sdf, read_sdf},
-    {"xyz", "XYZ and extended XYZ", xyz_extensions, looks_like_xyz, read_xyz},
-}};
+constexpr Format table[] = {
+    {.name = "pdb",
+     .label = "PDB",
+     .summary = "Protein Data Bank, fixed columns, and PDBQT",
+     .extensions = pdb_extensions,
+     .looks_like = looks_like_pdb,
+     .read = read_pdb,
+     .has_assemblies = true},
+    {.name = "mmcif",
+     .label = "mmCIF",
+     .summary = "PDBx/mmCIF",
+     .extensions = mmcif_extensions,
+     .looks_like = looks_like_mmcif,
+     .read = read_mmcif,
+     .has_assemblies = true},
+    {.name = "sdf",
+     .label = "SDF",
+     .summary = "MDL molfile and SDF, V2000 and V3000",
+     .extensions = sdf_extensions,
+     .looks_like = looks_like_sdf,
+     .read = read_sdf,
+     .has_small_molecules = true},
+    {.name = "xyz",
+     .label = "XYZ",
+     .summary = "XYZ and extended XYZ",
+     .extensions = xyz_extensions,
+     .looks_like = looks_like_xyz,
+     .read = read_xyz,
+     .has_bare_atoms = true},
+};
 
 /// The extension in lower case, below that of a compression: ".pdb" of "1ABC.PDB.gz".
 std::string extension_of(std::string_view name) {
@@ -64,7 +88,7 @@ const Format* format_by_content(std::string_view text) {
     message = "is a file of " + std::string(format) + " by its extension " + extension +
               ", which is not read (pliant.from_mdanalysis in Python may); known:";
   for (const Format& format : table) {
-    message.append(&format == table.data() ? " " : "; ").append(format.name);
+    message.append(&format == table ? " " : "; ").append(format.name);
     for (std::string_view known : format.extensions) message.append(" ").append(known);
   }
   fail({name}, message);
@@ -86,9 +110,8 @@ void check(const ReadOptions& options) {
   if (!options.format.empty()) choose(table, "format", options.format);
 }
 
-/// XYZ and SDF know no assemblies.
 void check_assembly(const Format& format, const SourceText& source, const ReadOptions& options) {
-  if (options.assembly.empty() || format.name == "pdb" || format.name == "mmcif") return;
+  if (options.assembly.empty() || format.has_assemblies) return;
   check_assembly({}, options.assembly, Remarks(source.name, options.log));
 }
 
@@ -105,6 +128,11 @@ void check_assembly(const Format& format, const SourceText& source, const ReadOp
 }  // namespace
 
 std::span<const Format> formats() { return table; }
+
+bool is_from(const Structure& structure, bool Format::*what) {
+  const auto found = std::ranges::find(table, structure.format, &Format::name);
+  return found != std::end(table) && (*found).*what;
+}
 
 Structure read_structure(const std::filesystem::path& path, const ReadOptions& options) {
   check(options);

@@ -15,13 +15,20 @@ namespace pliant {
 /// A format: one row of the table of formats.
 struct Format {
   std::string_view name;                         ///< "pdb"
+  std::string_view label;                        ///< "PDB", of text
   std::string_view summary;                      ///< one line for help
   std::span<const std::string_view> extensions;  ///< ".pdb", ".ent"
   bool (*looks_like)(std::string_view text);     ///< whether the content could have this format
   Structure (*read)(const SourceText& source, const ReadOptions& options);
+  bool has_assemblies = false;       ///< biological ones
+  bool has_small_molecules = false;  ///< one a record, all of whose bonds are stated
+  bool has_bare_atoms = false;       ///< elements and positions: nothing says what belongs together
 };
 
 std::span<const Format> formats();
+
+/// Whether `structure` was read from a file of a format of which `what` is true.
+bool is_from(const Structure& structure, bool Format::*what);
 
 /// Reads one model of a molecule file; gzip, bzip2 and xz are recognized by content and undone.
 /// Returns only the bonds that the file states: perceive_bonds() adds the others. Throws InputError
