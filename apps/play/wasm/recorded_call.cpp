@@ -2,8 +2,9 @@
 #include "recorded_call.hpp"
 
 #include "pliant/base/elements.hpp"
-#include "pliant/model/model.hpp"
-#include "pliant/perturb/guide.hpp"
+#include "pliant/jobs/asked/guide_asked.hpp"
+#include "pliant/jobs/asked/molecule_input.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 #include "pliant/run/replay_events.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "session.hpp"
@@ -34,38 +35,21 @@ std::vector<NamedParameter> of_run(const Session& session) {
 /// The page has none of these options of the command: what they are where they are not given.
 std::vector<NamedParameter> of_input(const Document& document, const std::string& file) {
   const bool is_graph = document.model.empty();
-  const std::string none;
-  const Guide guide;
-  std::vector<NamedParameter> values{{"input/file", file},
-                                     {"input/model", std::int64_t{1}},
-                                     {"input/select", none},
-                                     {"input/assembly", none},
-                                     {"input/bars", is_graph ? "bonds" : document.model},
-                                     {"input/lengths", std::string("geometry")},
-                                     {"input/pin", none},
-                                     {"input/distance_bonds", true},
-                                     {"record/single", false},
-                                     {"record/compress", false},
-                                     {"record/precision", 0.0},
-                                     {"record/save", none},
-                                     {"guide/rock", std::int64_t{0}},
-                                     {"guide/rock_amplitude", 1.0},
-                                     {"guide/period", guide.period},
-                                     {"guide/pull", none},
-                                     {"guide/pair_distance", none}};
+  BarsAsked bars;
+  bars.bars = is_graph ? "bonds" : document.model;
+  ModelAsked model;
+  model.model = document.model;
+  std::vector<NamedParameter> values{{"input/file", file}};
+  const auto add = [&](std::vector<NamedParameter> more) {
+    values.insert(values.end(), more.begin(), more.end());
+  };
+  add(option_parameters("input", input_fields(), InputOptions{}));
+  add(option_parameters("input", bars_fields(), bars));
+  add(option_parameters("guide", guide_fields(), GuideAsked{}));
+  add(parameters_of(H5mdOptions{}, ""));
+  if (!is_graph) add(option_parameters("model", model_fields(), model));
+  std::erase_if(values, [](const auto& row) { return row.first == "model/free_torsions"; });
   if (document.framework.is_planar()) values.emplace_back("framework/planar", true);
-  if (is_graph) return values;
-  const ModelOptions usual;  // its options are the command's: nothing here has others
-  values.insert(values.end(), {{"model/kind", document.model},
-                               {"model/hbond_cutoff", usual.hydrogen_bonds.cutoff},
-                               {"model/keep_waters", usual.prepare.keep_waters},
-                               {"model/keep", none},
-                               {"model/fill_side_chains", usual.prepare.fill_side_chains},
-                               {"model/all_hydrogens", usual.prepare.all_hydrogens},
-                               {"model/protonate", none},
-                               {"model/floppy", usual.prepare.floppy_below > 0.0},
-                               {"model/contacts", none},
-                               {"model/more_contacts", none}});
   return values;
 }
 

@@ -10,11 +10,11 @@
 namespace pliant::play {
 namespace {
 
-constexpr std::int64_t usual_frames = 20;
+constexpr std::int64_t frames_of_page = 20;
 
 SampleAsked asked_of(const Json& fields) {
   SampleOptions options = unset_sample_options();
-  options.frames = usual_frames;
+  options.frames = frames_of_page;
   return {with_options(sample_fields(), options, fields)};
 }
 
