@@ -8,9 +8,13 @@ import numpy as np
 from pliant import _core
 
 #: Names by value; "other" are those of samplers that draw in one way.
-DRAWN_BY = tuple(name.replace("_", " ") for name in _core.drawn_by_names())
-#: Frames up to this value are around the start; others go further.
-DRAWN_ALONG_MODES = DRAWN_BY.index("modes")
+DRAWN_BY = tuple(name.replace("_", " ") for name, _ in _core.drawn_by_table())
+_NEAR = [value for value, (_, near) in enumerate(_core.drawn_by_table()) if near]
+
+
+def is_near(drawn_by: np.ndarray) -> np.ndarray:
+    """(F,) bool: frames around the start; others go further."""
+    return np.isin(drawn_by, _NEAR)
 
 
 def around_start(drawn_by: np.ndarray | None) -> np.ndarray | None:
@@ -20,5 +24,5 @@ def around_start(drawn_by: np.ndarray | None) -> np.ndarray | None:
     """
     if drawn_by is None:
         return None
-    near: np.ndarray = drawn_by <= DRAWN_ALONG_MODES
+    near = is_near(drawn_by)
     return None if near.all() or np.count_nonzero(near) < 2 else near

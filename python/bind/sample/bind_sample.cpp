@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sampling: ways to move, and ensembles of frames.
+#include <nanobind/stl/pair.h>
+
 #include <optional>
 #include <utility>
 
@@ -243,13 +245,14 @@ void bind_sample(nb::module_& module) {
               "The sampler that draws its first ``near_frames``; empty: none does.")
       .def_ro("frames", &SamplerEntry::frames, "How many, if not said.");
   module.def(
-      "drawn_by_names",
+      "drawn_by_table",
       [] {
-        std::vector<std::string_view> names;
-        for (std::size_t k = 0; k < drawn_by_count; ++k) names.push_back(name(DrawnBy(k)));
-        return names;
+        std::vector<std::pair<std::string_view, bool>> rows;
+        for (const DrawnByEntry& row : drawn_by_table()) rows.emplace_back(row.name, row.is_near);
+        return rows;
       },
-      "How frames of samplers may be drawn, by the number in ``/observables/sampler``.");
+      "How frames of samplers may be drawn, by the number in ``/observables/sampler``: name, and\n"
+      "whether they are around the start.");
   module.def(
       "samplers", [] { return rows_of(samplers()); }, nb::rv_policy::reference,
       "The table of ways to move that ``sample`` knows.");

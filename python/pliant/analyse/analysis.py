@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from pliant._drawn_by import DRAWN_ALONG_MODES, around_start
+from pliant._drawn_by import around_start, is_near
 from pliant.analyse.kind import ENSEMBLE, kind_of
 from pliant.analyse.parts import Part, ReferenceStructure, Residuals
 from pliant.analysis.frame_store import AT_ONCE_BYTES, FrameStore
@@ -148,7 +148,7 @@ class Analysis:
         drawn_by = self.observable("sampler")
         if drawn_by is None:
             return None
-        far: np.ndarray = drawn_by > DRAWN_ALONG_MODES
+        far: np.ndarray = ~is_near(drawn_by)
         return far if far.any() else None
 
     @property

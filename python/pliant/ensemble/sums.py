@@ -12,7 +12,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
-from pliant._drawn_by import DRAWN_ALONG_MODES
+from pliant._drawn_by import is_near
 from pliant.ensemble.inspect_shard import POSITION, ShardRecord
 from pliant.ensemble.open_shard import counted_files, positions_in
 from pliant.ensemble.plan import EnsemblePlan
@@ -185,8 +185,7 @@ def around_start(file: h5py.File, plan: EnsemblePlan) -> np.ndarray:
     found = _hdf5.item(file, "observables/sampler/value")
     if not plan.may_reach or not _hdf5.is_array(found, "u", (None,)):
         return np.ones(len(positions_in(file)), dtype=bool)
-    near: np.ndarray = _hdf5.read(found) <= DRAWN_ALONG_MODES
-    return near
+    return is_near(_hdf5.read(found))
 
 
 def blocks(

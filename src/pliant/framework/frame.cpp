@@ -2,6 +2,25 @@
 #include "pliant/framework/frame.hpp"
 
 namespace pliant {
+namespace {
+
+constexpr DrawnByEntry drawn_by_rows[] = {
+    {DrawnBy::other, "other", true},
+    {DrawnBy::modes, "modes", true},
+    {DrawnBy::wide_modes, "wide_modes", false},
+    {DrawnBy::turns, "turns", false},
+    {DrawnBy::turns_with_modes, "turns_with_modes", false},
+    {DrawnBy::pocket, "pocket", false},
+};
+
+constexpr bool are_by_number(std::span<const DrawnByEntry> rows) {
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].drawn_by != static_cast<DrawnBy>(k)) return false;
+  return true;
+}
+static_assert(are_by_number(drawn_by_rows));
+
+}  // namespace
 
 std::string_view name(Stop stop) {
   switch (stop) {
@@ -17,10 +36,6 @@ std::string_view name(Stop stop) {
   return "unknown";
 }
 
-std::string_view name(DrawnBy drawn_by) {
-  constexpr std::string_view names[drawn_by_count] = {
-      "other", "modes", "wide_modes", "turns", "turns_with_modes", "pocket"};
-  return names[static_cast<std::size_t>(drawn_by)];
-}
+std::span<const DrawnByEntry> drawn_by_table() { return drawn_by_rows; }
 
 }  // namespace pliant

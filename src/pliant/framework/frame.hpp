@@ -21,7 +21,8 @@ enum class Stop : std::uint8_t {
 /// "converged", "max_sweeps", ...
 std::string_view name(Stop stop);
 
-/// How the target of a sampled frame was drawn.
+/// How the target of a sampled frame was drawn: a row of drawn_by_table() each. Files record the
+/// number: a new one comes last.
 enum class DrawnBy : std::uint8_t {
   other,             ///< by a sampler that draws in one way only
   modes,             ///< along the modes of a network
@@ -31,10 +32,12 @@ enum class DrawnBy : std::uint8_t {
   pocket,            ///< a place opened or closed, with a draw of the modes
 };
 
-inline constexpr std::size_t drawn_by_count = 6;
-
-/// "other", "modes", "wide_modes", "turns", "turns_with_modes", "pocket"
-std::string_view name(DrawnBy drawn_by);
+struct DrawnByEntry {
+  DrawnBy drawn_by;
+  std::string_view name;
+  bool is_near;  ///< around the start: flexibility is computed from such frames
+};
+std::span<const DrawnByEntry> drawn_by_table();
 
 inline constexpr std::int64_t no_joint = -1;
 

@@ -95,8 +95,7 @@ std::vector<std::string> stop_names() {
 
 std::vector<std::string> drawn_by_names() {
   std::vector<std::string> names;
-  for (std::uint8_t k = 0; k < drawn_by_count; ++k)
-    names.emplace_back(name(static_cast<DrawnBy>(k)));
+  for (const DrawnByEntry& row : drawn_by_table()) names.emplace_back(row.name);
   return names;
 }
 
