@@ -56,7 +56,7 @@ ForceFile force_file_of(const ForcegenSettings& settings, const Molecule& molecu
   key.seed = settings.resolve.seed;
   ForceFile file = make_force_file(molecule.framework, settings.perturb, settings.resolve.tolerance,
                                    settings.resolve.max_sweeps, key, settings.count);
-  file.header = force_header_of(settings.molecule, molecule);
+  file.header = force_header_of(settings.molecule, subject_of(molecule));
   return file;
 }
 

@@ -1,47 +1,19 @@
 // SPDX-License-Identifier: MIT
 // pliant run: the main job. A molecule in, an H5MD trajectory out.
-#include <fmt/format.h>
-
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "command.hpp"
 #include "commands/continue_run.hpp"
-#include "commands/run_walkers.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
-#include "options/force_header_input.hpp"
+#include "options/run_settings.hpp"
 #include "output/print_run.hpp"
-#include "pliant/base/error.hpp"
-#include "pliant/jobs/asked/output_options.hpp"
-#include "pliant/jobs/files/frame_output.hpp"
-#include "pliant/molecule/selection.hpp"
-#include "pliant/resolve/techniques.hpp"
+#include "pliant/jobs/run_job.hpp"
 
 namespace pliant::app {
 namespace {
-
-std::vector<std::string> outputs_of(const RunSettings& settings) {
-  std::vector<std::string> outputs;
-  if (settings.job.output.topology != "none") outputs.push_back(settings.job.output.topology);
-  const std::int64_t first = settings.job.walkers.first;
-  for (std::int64_t walker = first; walker < first + settings.job.walkers.walkers; ++walker) {
-    if (!settings.job.walkers.one_file || walker == first)
-      outputs.push_back(output_of(settings, walker));
-    if (!settings.job.walkers.record_forces.empty())
-      outputs.push_back(of_walker(settings, settings.job.walkers.record_forces, walker));
-  }
-  return outputs;
-}
-
-/// Asked before a file is opened: no output is an input or another output.
-void check_outputs(const RunSettings& settings) {
-  std::vector<std::string> inputs = inputs_of(settings.job.molecule);
-  inputs.insert(inputs.end(), {settings.job.walkers.forces, settings.job.walkers.ordering});
-  refuse_same_files(inputs, {settings.job.output.output});
-  check_trajectory_name(settings.job.output.output, false);
-  refuse_same_files(inputs, outputs_of(settings));
-}
 
 /// Bars of bonds leave a molecule far more freedom than it has.
 void tell_what_is_free(const MoleculeOptions& options, const Structure& structure, const Log& log) {
@@ -54,13 +26,39 @@ void tell_what_is_free(const MoleculeOptions& options, const Structure& structur
 }
 
 /// Null where nobody looks.
-std::unique_ptr<LiveRun> live_run(const RunSettings& settings, const Molecule& molecule,
-                                  const Log& log) {
+std::unique_ptr<LiveRun> live_run(const RunSettings& settings, const Job& job,
+                                  const Molecule& molecule, const Log& log) {
   if (!settings.imd.is_asked) return nullptr;
-  if (settings.job.walkers.record_forces.empty())
+  if (job.walkers.record_forces.empty())
     log.warn("clients can pull, but a force file cannot describe this run: it cannot be repeated");
-  return std::make_unique<LiveRun>(settings.imd, settings.job.run, molecule.framework.joint_count(),
-                                   log);
+  return std::make_unique<LiveRun>(settings.imd, job.run, molecule.framework.joint_count(), log);
+}
+
+/// Ctrl-C, and clients, who may end the run.
+std::function<bool()> stops_of(LiveRun* live) {
+  return [live] { return interrupted() || (live != nullptr && live->was_killed()); };
+}
+
+/// `last` receives the positions of a single walker.
+RunWatch watch_of(const RunSettings& settings, const Job& job, LiveRun* live, ProgressBar& progress,
+                  std::vector<Vec3>& last) {
+  RunWatch watch;
+  watch.should_stop = stops_of(live);
+  watch.on_steps = [&progress](std::int64_t steps) { progress.show(steps); };
+  watch.on_end = [live, &last](std::int64_t, const State& state) {
+    if (live != nullptr) live->finish();
+    last = state.positions;
+  };
+  if (live == nullptr) return watch;
+  watch.observers_of = [&settings, &job, live](std::int64_t) {
+    // A port that nobody chose has to be said.
+    if (!settings.printing.quiet || settings.imd.port == 0) live->say_where(job.output.topology);
+    return std::vector<Observer>();
+  };
+  watch.hands = live->hands();
+  watch.onlooker = live->onlooker();
+  watch.was_pulled = [live] { return live->was_pulled(); };
+  return watch;
 }
 
 constexpr const char* footer =
@@ -78,58 +76,48 @@ constexpr const char* footer =
     "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge or a\n"
     "guide did not reach its goal, 130 ended early by Ctrl-C, with all frames complete.";
 
-/// Outputs by their names; inputs by the options and by what a force file was made for.
-void take_names(const CommandLine& line, RunSettings& settings) {
-  settle(line, settings);
-  check_outputs(settings);
-  take_force_header(line, settings);
-  check_outputs(settings);  // of inputs that the header names, too
-}
-
-int print_end(const RunSettings& settings, const Molecule& molecule, const Messages& messages,
-              const std::vector<RunSummary>& summaries, const GuideEnd& end,
-              const std::optional<ImdSummary>& served) {
-  if (settings.printing.json) {
-    print_run_json(settings, molecule.framework, summaries, messages.warnings(), end, served);
-  } else if (!settings.printing.quiet) {
-    print_run_table(settings, molecule.framework, summaries);
-    if (served) print_served(*served);
-    end.print();
-  }
+int code_of(const std::vector<RunSummary>& summaries, const GuideEnd& end) {
   const int code = exit_code_of(added_up(summaries));
   return code == exit_ok && !end.is_reached() ? exit_unconverged : code;
 }
 
-int begin(CommandLine& line, RunSettings& settings) {
-  const bool asks_for_topology = !settings.job.output.topology.empty();
-  take_names(line, settings);
-  Messages messages(settings.printing.json || settings.printing.quiet);
-  Job& job = settings.job;
-  const Molecule molecule = load_molecule(
-      job.molecule, messages.log_of_model(job.molecule.input.file, settings.printing.verbose));
-  job.molecule.model.model = molecule.model;
-  messages.end_model(molecule.left_out);
-  tell_what_is_free(job.molecule, molecule.structure, messages.log());
-  check_force_header(settings, molecule, messages.log());
-  complete(line, settings, molecule);
-  OutputOptions& output = job.output;
-  output.record.saved = select_joints(molecule.framework, output.save, "--save");
-  refuse_to_replace(outputs_of(settings), output);
-  warn_if_doubtful(job.run.technique, molecule.framework, messages.log());
-  output.record.log = messages.log();
-  output.topology = fitting_topology(output.topology, asks_for_topology, molecule.framework,
-                                     molecule.structure.positions, output.record);
-  if (settings.printing.dry_run) return print_forces(settings), exit_ok;
+int run(const RunSettings& settings, RunJob& run, const Molecule& molecule, Messages& messages) {
+  const Job& job = run.job();
   watch_for_interrupt();
   std::vector<Vec3> last = molecule.structure.positions;
-  const auto live = live_run(settings, molecule, messages.log());
-  const std::vector<RunSummary> summaries =
-      run_walkers(settings, molecule, messages.log(), last, live.get());
+  const auto live = live_run(settings, job, molecule, messages.log());
+  std::vector<RunSummary> summaries;
+  {
+    ProgressBar progress(job.walkers.walkers * job.run.steps, "steps", settings.printing.quiet);
+    summaries = run.run(State(last), watch_of(settings, job, live.get(), progress, last));
+  }
   std::optional<ImdSummary> served;
   if (live) served = live->close();
-  const GuideEnd end(settings.job.guide, settings.job.run.guide, molecule.structure.positions,
-                     last);
-  return print_end(settings, molecule, messages, summaries, end, served);
+  const GuideEnd end(job.guide, job.run.guide, molecule.structure.positions, last);
+  print_run({settings.printing, job, molecule.framework, run.replayed()}, summaries,
+            messages.warnings(), &end, served);
+  return code_of(summaries, end);
+}
+
+int begin(const CommandLine& line, RunSettings& settings) {
+  Job& asked = settings.job;
+  const bool asks_for_topology = !asked.output.topology.empty();
+  check_imd(line, settings.imd);
+  asked.is_live = settings.imd.is_asked;
+  number_walkers(asked);
+  name_outputs(asked.output, asked.molecule.input.file, asked.walkers.first == 0);
+  RunJob job(asked, "--");
+  Messages messages(settings.printing.json || settings.printing.quiet);
+  const MoleculeOptions& input = job.job().molecule;
+  const Molecule molecule =
+      load_molecule(input, messages.log_of_model(input.input.file, settings.printing.verbose));
+  messages.end_model(molecule.left_out);
+  tell_what_is_free(input, molecule.structure, messages.log());
+  job.take(subject_of(molecule), messages.log());
+  job.fit_topology(asks_for_topology);
+  if (settings.printing.dry_run)
+    return print_forces(settings.printing, job.job(), job.replayed()), exit_ok;
+  return run(settings, job, molecule, messages);
 }
 
 }  // namespace
@@ -148,12 +136,15 @@ int command_run(const Arguments& arguments) {
       "walker is one of several independent copies of the molecule.");
   line.set_footer(footer);
   RunSettings settings;
-  add_run_options(line, settings);
+  add_job_options(line, settings.job);
+  add_printing_options(line, settings.printing);
+  add_imd_options(line, settings.imd);
   line.set_common(
       {"--model", "--steps", "--technique", "--perturb", "--pull", "--pair-distance", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   return with_errors_as_json(!settings.printing.job_file.empty(), [&] {
     take_job_file(line, settings.job, settings.printing.job_file);
+    note_given(line, settings.job);
     return settings.job.go_on.empty() ? begin(line, settings) : continue_run(line, settings);
   });
 }

@@ -69,20 +69,19 @@ void add_imd_options(CommandLine& line, ImdSettings& settings) {
     add_option(line, field, field.place(settings));
 }
 
-void check_imd(const CommandLine& line, const ImdSettings& settings, bool has_walkers) {
+void check_imd(const CommandLine& line, const ImdSettings& settings) {
   for (const OptionField<ImdSettings>& field : table) {
     const std::string option = option_name(field.name);
     if (line.was_given(option) && !settings.is_asked)
       throw OptionError(option + ": goes with --imd");
     check_option(field, field.place(places_of(settings)));
   }
-  if (settings.is_asked && has_walkers) throw OptionError("--imd: follows one walker, not several");
 }
 
 LiveRun::LiveRun(const ImdSettings& settings, const RunOptions& run, std::size_t joint_count,
                  const Log& log)
     : settings_(settings),
-      steering_(std::make_shared<Steering>(longest_step)),
+      steering_(std::make_shared<Steering>(longest_live_step)),
       server_(joint_count, options_of(settings, run, log), steering_) {
   if (!server_.is_loopback())
     log.warn("--imd-host " + printable_name(settings.host) +

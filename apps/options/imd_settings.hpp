@@ -6,7 +6,7 @@
 #include <string>
 
 #include "command_line.hpp"
-#include "pliant/run/run.hpp"
+#include "pliant/jobs/run_watch.hpp"
 #include "pliant/stream/imd_server.hpp"
 
 namespace pliant::app {
@@ -20,20 +20,16 @@ struct ImdSettings {
   double timeout = 10.0;  ///< seconds
   bool wait = false;
   bool kill = false;
-  bool keeps_forces_if_pulled = false;  ///< write the force file only if a client pulled
 };
 
 void add_imd_options(CommandLine& line, ImdSettings& settings);
 
-/// Throws OptionError for options that exclude each other; `has_walkers`: there are several.
-void check_imd(const CommandLine& line, const ImdSettings& settings, bool has_walkers);
+/// Throws OptionError for options out of range, and for those of a server where none is asked for.
+void check_imd(const CommandLine& line, const ImdSettings& settings);
 
 /// A run that clients follow and pull on.
 class LiveRun {
  public:
-  /// Largest displacement of an atom by a hand in a step, Angstrom, which bars can still follow.
-  static constexpr double longest_step = 0.2;
-
   /// Starts listening. Throws FileError if it cannot. The log must outlive it.
   LiveRun(const ImdSettings& settings, const RunOptions& run, std::size_t joint_count,
           const Log& log);

@@ -103,7 +103,7 @@ void take_member(CommandLine& line, Job& job, const std::string& name, const Jso
     const OptionFacts& facts = *row.facts;
     known.push_back(facts.name);
     if (facts.name != name || !facts.users.command) continue;
-    const std::string option = option_name(facts.opposite.empty() ? facts.name : facts.opposite);
+    const std::string option = option_name(facts);
     if (!line.was_given(option)) std::visit(Put{name, file, row.place(job)}, value);
     check_option(facts, row.place(job));
     return line.note_given(option);
@@ -164,6 +164,12 @@ void take_job_file(CommandLine& line, Job& job, const std::string& file) {
     throw InputError(file + ": input: expected the name of a file");
 }
 
+void note_given(const CommandLine& line, Job& job) {
+  for (const OptionRow<Job>& row : job_rows(job.task))
+    if (row.facts->users.command && line.was_given(option_name(*row.facts)))
+      job.given.emplace(row.facts->name);
+}
+
 int with_errors_as_json(bool is_asked, const std::function<int()>& work) {
   if (!is_asked) return work();
   const auto print = [](const char* kind, const Error& error, int code) {
@@ -201,7 +207,7 @@ void check_options_again(const CommandLine& line, const Job& given,
     compare("FILE", find(parameters, "input/file"), "input/file", recorded);
   for (const OptionRow<Job>& row : job_rows(given.task)) {
     const OptionFacts& facts = *row.facts;
-    const std::string option = option_name(facts.opposite.empty() ? facts.name : facts.opposite);
+    const std::string option = option_name(facts);
     if (!facts.users.command || !line.was_given(option)) continue;
     if (!facts.users.again)
       throw OptionError(option + ": does not go with --continue, which adds to " +

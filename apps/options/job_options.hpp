@@ -30,6 +30,9 @@ struct Printing {
 /// standard input. Throws InputError naming the file, and OptionError naming the option.
 void take_job_file(CommandLine& line, Job& job, const std::string& file);
 
+/// Notes in the job which of its options were given, on the command line or in its file.
+void note_given(const CommandLine& line, Job& job);
+
 /// Calls `work`, and returns its exit code. With a job file what is wrong is printed as JSON:
 /// {"error": {"kind": "OptionError", "text": ...}}.
 int with_errors_as_json(bool is_asked, const std::function<int()>& work);

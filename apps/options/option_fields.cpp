@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "options/option_fields.hpp"
 
-#include <algorithm>
-
 namespace pliant::app {
 namespace {
 
@@ -46,12 +44,6 @@ struct AddField {
 };
 
 }  // namespace
-
-std::string option_name(std::string_view field) {
-  std::string option = "--" + std::string(field);
-  std::replace(option.begin(), option.end(), '_', '-');
-  return option;
-}
 
 void add_option(CommandLine& line, const OptionFacts& facts, OptionPlace place) {
   std::visit(AddField{line, facts}, place);

@@ -2,16 +2,10 @@
 // Makes options of the command line from rows of a table of options.
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "command_line.hpp"
 #include "pliant/base/option_fields.hpp"
 
 namespace pliant::app {
-
-/// "--max-sweeps" for "max_sweeps".
-std::string option_name(std::string_view field);
 
 /// Adds an option. Its present value is the default that the help shows.
 void add_option(CommandLine& line, const OptionFacts& facts, OptionPlace place);

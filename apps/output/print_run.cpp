@@ -8,19 +8,19 @@
 #include "command.hpp"
 #include "output/json.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/jobs/run_outputs.hpp"
 #include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {
 namespace {
 /// The files of the walkers that were begun: each shows at least its start, or has no more to do.
-std::vector<std::string> outputs_of(const RunSettings& settings,
-                                    const std::vector<RunSummary>& summaries) {
-  if (settings.job.walkers.one_file) return {settings.job.output.output};
+std::vector<std::string> outputs_of(const Job& job, const std::vector<RunSummary>& summaries) {
+  if (job.walkers.one_file) return {job.output.output};
   std::vector<std::string> outputs;
   for (std::size_t k = 0; k < summaries.size(); ++k)
     if (summaries[k].frames > 0 || !summaries[k].stopped_by_caller)
-      outputs.push_back(output_of(settings, settings.job.walkers.first + std::int64_t(k)));
+      outputs.push_back(output_of(job, job.walkers.first + std::int64_t(k)));
   return outputs;
 }
 
@@ -59,15 +59,17 @@ std::string unconverged_text(const RunSummary& summary, std::int64_t starts) {
   return text + (starts == 1 ? ", and the start" : fmt::format(", and {} starts", starts));
 }
 
-Json run_json(const RunSettings& settings, const Framework& framework,
-              const std::vector<RunSummary>& summaries, const std::vector<std::string>& warnings) {
+Json run_json(const RunReport& report, const std::vector<RunSummary>& summaries,
+              const std::vector<std::string>& warnings) {
+  const Job& job = report.job;
+  const Framework& framework = report.framework;
   const RunSummary summary = added_up(summaries);
-  return {{"input", settings.job.molecule.input.file},
-          {"outputs", outputs_of(settings, summaries)},
-          {"topology", settings.job.output.topology},
-          {"technique", settings.job.run.technique.name},
-          {"technique_used", technique_used(framework, settings.job.run.technique).name},
-          {"weighting", settings.job.run.technique.weighting},
+  return {{"input", job.molecule.input.file},
+          {"outputs", outputs_of(job, summaries)},
+          {"topology", job.output.topology},
+          {"technique", job.run.technique.name},
+          {"technique_used", technique_used(framework, job.run.technique).name},
+          {"weighting", job.run.technique.weighting},
           {"atoms", framework.joint_count()},
           {"bars", framework.bar_count()},
           {"steps", summary.steps},
@@ -90,18 +92,18 @@ Json run_json(const RunSettings& settings, const Framework& framework,
 }
 
 /// What the run owes to its force file.
-Json forces_json(const RunSettings& settings) {
+Json forces_json(const Job& job, const ReplayedForces& replayed) {
   std::vector<std::pair<std::string, Json>> taken;
-  for (const auto& [name, value] : settings.taken_from_forces) taken.emplace_back(name, value);
-  return {{"forces", Json{{"file", settings.job.walkers.forces}, {"taken", Json::object(taken)}}}};
+  for (const auto& [name, value] : replayed.taken) taken.emplace_back(name, value);
+  return {{"forces", Json{{"file", job.walkers.forces}, {"taken", Json::object(taken)}}}};
 }
 
 /// "a.forces: model protein, timestep 0.01".
-std::string forces_text(const RunSettings& settings) {
+std::string forces_text(const Job& job, const ReplayedForces& replayed) {
   std::string text;
-  for (const auto& [name, value] : settings.taken_from_forces)
+  for (const auto& [name, value] : replayed.taken)
     text += fmt::format("{} {} {}", text.empty() ? ":" : ",", name, printable_name(value));
-  return printable_name(settings.job.walkers.forces) + text;
+  return printable_name(job.walkers.forces) + text;
 }
 
 Json served_json(const ImdSummary& served) {
@@ -111,10 +113,39 @@ Json served_json(const ImdSummary& served) {
 }
 
 /// What the count of frames includes; a run that goes on has its start in the file already.
-const char* with_the_start(const RunSettings& settings) {
-  if (!settings.job.go_on.empty()) return "";
-  return settings.job.walkers.are_several() ? ", with the start of each walker"
-                                            : ", with the start";
+const char* with_the_start(const Job& job) {
+  if (!job.go_on.empty()) return "";
+  return job.walkers.are_several() ? ", with the start of each walker" : ", with the start";
+}
+
+void print_table(const RunReport& report, const std::vector<RunSummary>& summaries) {
+  const Job& job = report.job;
+  const RunSummary summary = added_up(summaries);
+  print_forces(report.printing, job, report.replayed);
+  fmt::print("technique       {}\n", technique_line(job.run.technique, report.framework));
+  fmt::print("steps           {}; {} frames recorded{}\n", summary.steps, summary.frames,
+             with_the_start(job));
+  fmt::print("sweeps per step {:.1f} on average, {} at most\n", summary.mean_sweeps(),
+             summary.max_sweeps);
+  fmt::print("worst bar       {} off by {:.2e} of its length, after step {}\n",
+             worst_bar_of(report.framework, summary), summary.worst_residual, summary.worst_step);
+  fmt::print("time            {:.2f} s, {:.0f} us a step; resolving {:.1f} ns a bar and sweep\n",
+             summary.seconds, microseconds_per_step(summary), summary.ns_per_bar_and_sweep());
+  if (summary.unconverged_steps > 0)
+    fmt::print("not converged   {}\n", unconverged_text(summary, starts_left_broken(summaries)));
+  if (summary.stopped_by_caller) fmt::print("stopped early; all recorded frames are complete\n");
+  if (job.output.topology != no_topology)
+    fmt::print("topology        {}\n", printable_name(job.output.topology));
+  for (const std::string& output : outputs_of(job, summaries))
+    fmt::print("trajectory      {}\n", printable_name(output));
+}
+
+void print_served(const ImdSummary& served) {
+  fmt::print("IMD             {} clients, {} frames sent, {} dropped, {} packets of forces\n",
+             served.clients, served.frames_sent, served.frames_dropped, served.forces_taken);
+  if (served.refused > 0) fmt::print("                {} clients refused\n", served.refused);
+  if (served.seconds_waited > 0.0)
+    fmt::print("                {:.2f} s waited for clients\n", served.seconds_waited);
 }
 
 }  // namespace
@@ -130,56 +161,25 @@ int exit_code_of(const RunSummary& summary) {
   return summary.unconverged_steps > 0 ? exit_unconverged : exit_ok;
 }
 
-void print_forces(const RunSettings& settings) {
-  if (!settings.force_header || settings.printing.quiet) return;
-  if (settings.printing.json) return print_json(forces_json(settings));
-  fmt::print("force file      {}\n", forces_text(settings));
+void print_forces(const Printing& printing, const Job& job, const ReplayedForces& replayed) {
+  if (!replayed.header || printing.quiet) return;
+  if (printing.json) return print_json(forces_json(job, replayed));
+  fmt::print("force file      {}\n", forces_text(job, replayed));
 }
 
-void print_run_table(const RunSettings& settings, const Framework& framework,
-                     const std::vector<RunSummary>& summaries) {
-  const RunSummary summary = added_up(summaries);
-  print_forces(settings);
-  fmt::print("technique       {}\n", technique_line(settings.job.run.technique, framework));
-  fmt::print("steps           {}; {} frames recorded{}\n", summary.steps, summary.frames,
-             with_the_start(settings));
-  fmt::print("sweeps per step {:.1f} on average, {} at most\n", summary.mean_sweeps(),
-             summary.max_sweeps);
-  fmt::print("worst bar       {} off by {:.2e} of its length, after step {}\n",
-             worst_bar_of(framework, summary), summary.worst_residual, summary.worst_step);
-  fmt::print("time            {:.2f} s, {:.0f} us a step; resolving {:.1f} ns a bar and sweep\n",
-             summary.seconds, microseconds_per_step(summary), summary.ns_per_bar_and_sweep());
-  if (summary.unconverged_steps > 0)
-    fmt::print("not converged   {}\n", unconverged_text(summary, starts_left_broken(summaries)));
-  if (summary.stopped_by_caller) fmt::print("stopped early; all recorded frames are complete\n");
-  if (settings.job.output.topology != "none")
-    fmt::print("topology        {}\n", printable_name(settings.job.output.topology));
-  for (const std::string& output : outputs_of(settings, summaries))
-    fmt::print("trajectory      {}\n", printable_name(output));
-}
-
-void print_served(const ImdSummary& served) {
-  fmt::print("IMD             {} clients, {} frames sent, {} dropped, {} packets of forces\n",
-             served.clients, served.frames_sent, served.frames_dropped, served.forces_taken);
-  if (served.refused > 0) fmt::print("                {} clients refused\n", served.refused);
-  if (served.seconds_waited > 0.0)
-    fmt::print("                {:.2f} s waited for clients\n", served.seconds_waited);
-}
-
-void print_run_json(const RunSettings& settings, const Framework& framework,
-                    const std::vector<RunSummary>& summaries,
-                    const std::vector<std::string>& warnings) {
-  print_json(run_json(settings, framework, summaries, warnings));
-}
-
-void print_run_json(const RunSettings& settings, const Framework& framework,
-                    const std::vector<RunSummary>& summaries,
-                    const std::vector<std::string>& warnings, const GuideEnd& end,
-                    const std::optional<ImdSummary>& served) {
-  Json json = run_json(settings, framework, summaries, warnings);
-  if (settings.force_header) json = json + forces_json(settings);
-  if (served) json = json + served_json(*served);
-  print_json(settings.job.guide.empty() ? json : json + end.json());
+void print_run(const RunReport& report, const std::vector<RunSummary>& summaries,
+               const std::vector<std::string>& warnings, const GuideEnd* end,
+               const std::optional<ImdSummary>& served) {
+  if (report.printing.json) {
+    Json json = run_json(report, summaries, warnings);
+    if (report.replayed.header) json = json + forces_json(report.job, report.replayed);
+    if (served) json = json + served_json(*served);
+    print_json(end == nullptr || report.job.guide.empty() ? json : json + end->json());
+  } else if (!report.printing.quiet) {
+    print_table(report, summaries);
+    if (served) print_served(*served);
+    if (end != nullptr) end->print();
+  }
 }
 
 }  // namespace pliant::app

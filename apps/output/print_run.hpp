@@ -5,8 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "options/run_settings.hpp"
+#include "options/imd_settings.hpp"
+#include "options/job_options.hpp"
 #include "output/guide_end.hpp"
+#include "pliant/jobs/replay/replayed_header.hpp"
 #include "pliant/run/run.hpp"
 
 namespace pliant::app {
@@ -17,21 +19,21 @@ RunSummary added_up(const std::vector<RunSummary>& summaries);
 /// The exit code of the command: interrupted, unconverged or done.
 int exit_code_of(const RunSummary& summary);
 
+/// What is printed of a run. All must outlive it.
+struct RunReport {
+  const Printing& printing;
+  const Job& job;
+  const Framework& framework;
+  const ReplayedForces& replayed;
+};
+
 /// Prints what was taken from a force file, if there is one; as JSON if that was asked for.
-void print_forces(const RunSettings& settings);
+void print_forces(const Printing& printing, const Job& job, const ReplayedForces& replayed);
 
-void print_run_table(const RunSettings& settings, const Framework& framework,
-                     const std::vector<RunSummary>& summaries);
-void print_run_json(const RunSettings& settings, const Framework& framework,
-                    const std::vector<RunSummary>& summaries,
-                    const std::vector<std::string>& warnings);
-/// Prints the summary of serving clients.
-void print_served(const ImdSummary& served);
-
-/// Prints the summary with the results of the guide, and of serving if there was a server.
-void print_run_json(const RunSettings& settings, const Framework& framework,
-                    const std::vector<RunSummary>& summaries,
-                    const std::vector<std::string>& warnings, const GuideEnd& end,
-                    const std::optional<ImdSummary>& served);
+/// Prints the summary as was asked for, with what became of the guide and of serving if there were
+/// any.
+void print_run(const RunReport& report, const std::vector<RunSummary>& summaries,
+               const std::vector<std::string>& warnings, const GuideEnd* end = nullptr,
+               const std::optional<ImdSummary>& served = {});
 
 }  // namespace pliant::app

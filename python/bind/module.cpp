@@ -30,7 +30,6 @@ NB_MODULE(_core, module) {
   bind_run(module);
   bind_motion(module);
   bind_path(module);
-  bind_ensemble(module);
   bind_laboratory(module);
   name_unfit_arguments(module);
 }

@@ -5,6 +5,7 @@
 #include <nanobind/stl/variant.h>
 
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -46,6 +47,24 @@ std::string usual_text(const OptionFacts& facts, OptionPlace place) {
   return nb::cast<std::string>(nb::repr(value_of(place)));
 }
 
+/// True and False are integers to Python, so they come first.
+Parameter parameter_from(const std::string& path, nb::handle value) {
+  const auto fail = [&](const std::string& why) {
+    return OptionError("parameters[\"" + path + "\"]: " + why);
+  };
+  try {
+    if (nb::isinstance<nb::bool_>(value)) return nb::cast<bool>(value);
+    if (nb::isinstance<nb::int_>(value)) return nb::cast<std::int64_t>(value);
+    if (nb::isinstance<nb::str>(value)) return nb::cast<std::string>(value);
+  } catch (const std::bad_cast&) {
+    throw fail("does not fit into 64 bits, or is no Unicode text");
+  }
+  if (!nb::isinstance<nb::float_>(value)) throw fail("expected a bool, int, float or str");
+  const auto real = nb::cast<double>(value);
+  if (!std::isfinite(real)) throw fail("is not finite");
+  return real;
+}
+
 }  // namespace
 
 const char* python_type(OptionPlace place) {
@@ -85,6 +104,11 @@ void take_value(const OptionFacts& facts, OptionPlace place, nb::handle value) {
           *to = argument_as<Value>(facts.name, value, type);
       },
       place);
+}
+
+bool may_be_none(const OptionFacts& facts, OptionPlace place) {
+  const bool is_text = std::holds_alternative<std::string*>(place);
+  return !facts.unset_means.empty() || (!is_text && facts.type_in_python.ends_with("None"));
 }
 
 std::string literal_type(const std::vector<std::string_view>& names) {
@@ -148,6 +172,16 @@ nb::dict parameters_to_python(const std::vector<NamedParameter>& parameters) {
   nb::dict values;
   for (const auto& [path, value] : parameters) values[path.c_str()] = nb::cast(value);
   return values;
+}
+
+std::vector<NamedParameter> parameters_from(const nb::dict& values) {
+  std::vector<NamedParameter> parameters;
+  for (const auto& [key, value] : values) {
+    if (!nb::isinstance<nb::str>(key)) throw OptionError("parameters: a path is no str");
+    const auto path = nb::cast<std::string>(key);
+    parameters.emplace_back(path, parameter_from(path, value));
+  }
+  return parameters;
 }
 
 void refuse_unknown(nb::handle function, nb::tuple positional, nb::dict left) {

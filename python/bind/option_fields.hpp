@@ -18,6 +18,9 @@ std::string docstring(std::string_view summary);
 
 nb::object value_of(OptionPlace place);
 
+/// Whether None leaves the default; a text takes it itself.
+bool may_be_none(const OptionFacts& facts, OptionPlace place);
+
 /// Sets an option from a Python value. Raises TypeError or OptionError naming the option if the
 /// value does not fit. Ranges are checked by check(), not here.
 void take_value(const OptionFacts& facts, OptionPlace place, nb::handle value);
@@ -46,6 +49,9 @@ nb::list rows_for_commands(const Fields& fields, Options usual) {
   for (const auto& field : fields) rows.append(row_of(field, field.place(usual)));
   return rows;
 }
+
+/// Parameters of a file from values by their paths. Raises OptionError for any other value.
+std::vector<NamedParameter> parameters_from(const nb::dict& values);
 
 /// Parameters of a file by their paths.
 nb::dict parameters_to_python(const std::vector<NamedParameter>& parameters);
@@ -89,7 +95,7 @@ void take_values(const Fields& fields, nb::dict given, Options& options,
     const nb::str name(field.name.data(), field.name.size());
     const bool is_open_to = field.users.python || (is_of_command && field.users.command);
     if (!is_open_to || !given.contains(name)) continue;
-    const bool is_open = !field.unset_means.empty() && given[name].is_none();
+    const bool is_open = may_be_none(field, field.place(options)) && given[name].is_none();
     if (!is_open) take_value(field, field.place(options), given[name]);
     nb::del(given[name]);
   }

@@ -32,20 +32,20 @@ from pliant._core import (
     Structure,
     build_model,
     contacts,
+    continue_run,
     continue_sample,
     estimate_b_factors,
     prepare,
     read,
     resolve,
     rigidity,
+    run,
     sample,
 )
 from pliant._deprecated import PliantDeprecationWarning
 from pliant._display import show_in_notebooks
-from pliant._ensemble import run_ensemble as run_ensemble
 from pliant._late import import_after
 from pliant._refusals.signatures import give_signatures
-from pliant._run import continue_run, run
 from pliant._trajectory.results import RunResult, SampledEnsemble, SampleResult
 from pliant._trajectory.trajectory import Trajectory
 from pliant.adapters import constraints_from_openmm as constraints_from_openmm
@@ -153,7 +153,7 @@ import_after("MDAnalysis", "pliant.h5md_parser")
 import_after("MDAnalysis", "pliant.ensemble.reader")
 
 show_in_notebooks()
-give_signatures(_core.read, _core.RunOptions.check, _core.RunOptions().check)
+give_signatures(_core.read, _core.Steering.release, _core.Steering().release)
 
 
 def __dir__() -> list[str]:

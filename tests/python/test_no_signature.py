@@ -26,7 +26,6 @@ OBJECTS = [
     pliant.Guide(),
     pliant.Motion(CHAIN, LINE),
     pliant.Resolver(CHAIN),
-    pliant.RunOptions(),
     pliant.WalkerResolver(CHAIN),
     pliant.build_model(ETHANE),
     pliant.prepare(ETHANE),

@@ -2,64 +2,30 @@
 // Recording: frames to H5MD files.
 #include <nanobind/stl/filesystem.h>
 
-#include <cmath>
-
 #include "framework/frame.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
+#include "option_fields.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/version.hpp"
 #include "pliant/jobs/files/molecule_header.hpp"
-#include "pliant/jobs/files/recorded_run.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
-#include "pliant/run/run.hpp"
 
 namespace pliant::python {
 
 void bind_h5md_reader(nb::module_& module);
 void bind_topology(nb::module_& module);
-void bind_checkpoint(nb::module_& module);
 
 namespace {
-
-/// True and False are integers to Python, so they come first.
-Parameter parameter_from(const std::string& path, nb::handle value) {
-  const auto fail = [&](const std::string& why) {
-    return OptionError("parameters[\"" + path + "\"]: " + why);
-  };
-  try {
-    if (nb::isinstance<nb::bool_>(value)) return nb::cast<bool>(value);
-    if (nb::isinstance<nb::int_>(value)) return nb::cast<std::int64_t>(value);
-    if (nb::isinstance<nb::str>(value)) return nb::cast<std::string>(value);
-  } catch (const std::bad_cast&) {
-    throw fail("does not fit into 64 bits, or is no Unicode text");
-  }
-  if (!nb::isinstance<nb::float_>(value)) throw fail("expected a bool, int, float or str");
-  const auto real = nb::cast<double>(value);
-  if (!std::isfinite(real)) throw fail("is not finite");
-  return real;
-}
-
-std::vector<NamedParameter> parameters_from(const nb::dict& values) {
-  std::vector<NamedParameter> parameters;
-  for (const auto& [key, value] : values) {
-    if (!nb::isinstance<nb::str>(key)) throw OptionError("parameters: a path is no str");
-    const auto path = nb::cast<std::string>(key);
-    parameters.emplace_back(path, parameter_from(path, value));
-  }
-  return parameters;
-}
 
 void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    const Framework& framework, const Structure* structure,
                    const nb::dict& parameters, bool single, bool compress, double precision,
-                   const std::string& save, bool overwrite, double flush_seconds, bool durable,
-                   const RunOptions* run) {
+                   const std::string& save, bool overwrite, double flush_seconds, bool durable) {
   H5mdHeader header = structure != nullptr ? molecule_header(*structure) : H5mdHeader();
   header.creator_version = version();
   header.parameters = parameters_from(parameters);
-  if (run != nullptr) header.inputs = run_inputs(*run);
   const H5mdOptions options{.single = single,
                             .compress = compress,
                             .precision = precision,
@@ -84,7 +50,7 @@ constexpr const char* recorder_doc =
 
 The file opens in MDAnalysis, h5py and every other HDF5 program, while it is written and after its
 writer was killed, with every frame committed until then. An observer of ``run``, and a context
-manager that closes itself.
+manager that closes itself; the file of ``run(..., output=)`` can go on, too.
 
 Parameters
 ----------
@@ -111,9 +77,6 @@ flush_seconds : float
     Seconds between commits of frames; 0: commit each frame.
 durable : bool
     Wait for the disk with each commit, so that frames survive a power cut.
-run : RunOptions, optional
-    Of the run that the recorder observes: with them and their ``parameters`` the run can go on from
-    the file (``continue_run``).
 
 Raises
 ------
@@ -128,12 +91,11 @@ OptionError
 void bind_record(nb::module_& module) {
   bind_h5md_reader(module);
   bind_topology(module);
-  bind_checkpoint(module);
   nb::class_<LockedRecorder>(module, "H5mdRecorder", recorder_doc)
       .def("__init__", &make_recorder, "path"_a, "framework"_a, nb::kw_only(),
            "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,
            "compress"_a = false, "precision"_a = 0.0, "save"_a = "", "overwrite"_a = false,
-           "flush_seconds"_a = 1.0, "durable"_a = false, "run"_a = nb::none())
+           "flush_seconds"_a = 1.0, "durable"_a = false)
       .def("record", &record, "frame"_a,
            "Adds a frame, which must come after the last one and have finite positions and time.\n"
            "Raises FileError once the recorder is closed.")

@@ -1,273 +1,357 @@
 // SPDX-License-Identifier: MIT
-// The run: its options, its summary, and the loop with Python observers.
-#include "pliant/run/run.hpp"
-
+// The job `run`: one walker, many walkers, and going on.
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/variant.h>
 
-#include <algorithm>
-#include <set>
-#include <stdexcept>
+#include <optional>
+#include <utility>
 
-#include "arrays.hpp"
-#include "interrupt.hpp"
 #include "messages.hpp"
+#include "molecule/structure.hpp"
 #include "option_fields.hpp"
-#include "options.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/fingerprint.hpp"
-#include "pliant/jobs/files/force_recorder.hpp"
+#include "pliant/jobs/continued_run.hpp"
+#include "pliant/jobs/run_job.hpp"
 #include "pliant/molecule/structure/structure.hpp"
-#include "pliant/run/run_fields.hpp"
 #include "refusals.hpp"
-#include "run/observers.hpp"
+#include "resolve/techniques.hpp"
+#include "run/asked_run.hpp"
 #include "run/pushes.hpp"
+#include "run/run_watched.hpp"
 
 namespace pliant::python {
 namespace {
 
-/// A State that a run moves; no other run may move it meanwhile. Made and ended with the GIL held.
-class StateInUse {
- public:
-  explicit StateInUse(const State& state) : state_(&state) {
-    if (!all().insert(state_).second) throw std::runtime_error("State: another run is moving it");
-  }
-  ~StateInUse() { all().erase(state_); }
-  StateInUse(const StateInUse&) = delete;
-  StateInUse& operator=(const StateInUse&) = delete;
+nb::module_ core() { return nb::module_::import_("pliant._core"); }
 
- private:
-  static std::set<const State*>& all() {
-    static std::set<const State*> states;
-    return states;
-  }
-  const State* state_;
-};
-
-/// What a later run goes on from. Needs no GIL.
-void end_runs(const std::vector<LockedRecorder*>& recorders, const State& state) {
-  for (LockedRecorder* shared : recorders)
-    shared->use([&](H5mdRecorder& recorder) { recorder.end_run(state); });
+const OptionFacts& select_row() {
+  for (const auto& field : input_fields())
+    if (field.name == "select") return field;
+  throw OptionError("no row: select");
 }
 
-/// Whether all frames of a run take no more than so many bytes.
-bool are_kept(const Framework& framework, const RunOptions& options, std::int64_t most) {
-  const auto bytes = static_cast<std::int64_t>(framework.joint_count() * sizeof(Vec3));
-  const std::int64_t frames = options.steps / std::max<std::int64_t>(options.every, 1) + 2;
-  return bytes > 0 && frames <= most / bytes;
+const OptionFacts& forces_row() {
+  for (const auto& field : walkers_fields())
+    if (field.name == "record_forces") return field;
+  throw OptionError("no row: record_forces");
 }
 
-OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
-                          const std::vector<nb::object>& observers, ForceRecorder* forces,
-                          std::int64_t most_kept) {
-  check_pushes(framework, options.replay);
-  show_framework(options.technique, framework);
-  const StateInUse in_use(nb::cast<const State&>(state));
-  std::int64_t done = options.began.value_or(0);
-  InterruptWatch watch("steps", options.steps);
-  if (forces) options.on_push = [forces](const Push& push) { forces->record(push); };
-  options.log = python_log();
-  options.resolve.should_stop = [&] { return watch(done); };
-  options.onlooker.wants = [&done](std::int64_t step) {
-    done = step;
-    return false;
-  };
-  std::vector<Observer> all;
-  std::vector<LockedRecorder*> recorders;
-  for (const nb::object& observer : observers) {
-    all.push_back(observer_of(observer, state));
-    if (nb::isinstance<LockedRecorder>(observer))
-      recorders.push_back(&nb::cast<LockedRecorder&>(observer));
-  }
-  std::vector<Vec3> kept;
-  const bool keep = are_kept(framework, options, most_kept);
-  all.push_back([&](const Frame& frame) {
-    if (keep) kept.insert(kept.end(), frame.positions.begin(), frame.positions.end());
-    return watch(done);
-  });
+/// The rows of a call of `run`; others are left.
+Job take_job(nb::dict given) {
+  Job job = usual_job("run");
+  take_values(output_fields(), given, job.output);
+  if (!job.output.output.empty())
+    nb::module_::import_("pliant._output_names")
+        .attr("check_trajectory_name")(job.output.output, "run");
+  if (job.output.topology.empty()) job.output.topology = no_topology;
+  take_values(bars_fields(), given, job.molecule.bars);
+  take_values(walkers_fields(), given, job.walkers);
+  if (const nb::object value = taken(given, "select"); !value.is_none())
+    take_value(select_row(), &job.molecule.input.select, value);
+  if (const nb::object value = taken(given, "walker"); !value.is_none())
+    job.walkers.first =
+        static_cast<std::int64_t>(argument_as<std::uint64_t>("walker", value, "int"));
+  if (const nb::object value = taken(given, "guide"); !value.is_none())
+    job.run.guide = argument_as<Guide>("guide", value, "Guide");
+  take_moves(given, job);
+  return job;
+}
+
+/// Only structures have names and bonds.
+void refuse_nameless(const Job& job, const AskedRun& asked) {
+  const bool has_names = asked.molecule() != nullptr && asked.of().atoms() != nullptr;
+  if (has_names) return;
+  if (job.output.topology != no_topology) throw nb::type_error("run: a topology needs a structure");
+  if (is_pdb_name(job.output.output))
+    throw nb::type_error("run: models of a PDB file need a structure");
+}
+
+RunSubject subject_of(const AskedRun& asked, const Job& job) {
+  RunSubject subject{asked.of(), asked.start().positions, asked.molecule()};
+  subject.is_given = asked.is_given;
+  if (subject.structure != nullptr && !job.walkers.record_forces.empty())
+    subject.fingerprint = fingerprint(subject.structure->atoms, subject.start);
+  return subject;
+}
+
+/// As a class of pliant that has methods of frames besides, and is written in Python.
+nb::object result_of(OwnedRunSummary made, nb::object structure, const std::string& output) {
+  const nb::object path = output.empty() ? nb::none() : nb::cast(path_of(output));
+  return nb::module_::import_("pliant._trajectory.results")
+      .attr("RunResult")(nb::cast(std::move(made)), structure, path);
+}
+
+std::int64_t most_kept(const std::string& output) {
+  if (!output.empty() && !is_pdb_name(output)) return 0;
+  return nb::cast<std::int64_t>(
+      nb::module_::import_("pliant._trajectory.results").attr("MOST_KEPT"));
+}
+
+nb::object run_from(const nb::handle& source, nb::object state, const nb::object& output,
+                    const nb::kwargs& more) {
+  nb::dict given(more);
+  if (!output.is_none()) given["output"] = output;
+  Job job = take_job(given);
+  std::vector<nb::object> observers;
+  if (const nb::object value = taken(given, "observers"); !value.is_none())
+    observers = members_of("observers", value);
+  std::vector<NamedParameter> parameters;
+  if (const nb::object value = taken(given, "parameters"); !value.is_none())
+    parameters = parameters_from(argument_as<nb::dict>(
+        "parameters", value, "collections.abc.Mapping[str, bool | int | float | str]"));
+  nb::object structure = taken(given, "structure");
+  refuse_unknown(core().attr("run"), nb::make_tuple(source), given);
+  if (!structure.is_none() && !nb::isinstance<Structure>(structure))
+    refuse_argument("structure", structure, "Structure", nb::none(), nb::none());
+  const AskedRun asked = open_run(source, std::move(state), std::move(structure), job);
+  refuse_nameless(job, asked);
+  check_pushes(asked.of(), job.run.replay);
+  show_framework(job.run.technique, asked.of());
+  const StateInUse in_use(asked.start());
+  RunJob run(std::move(job), "");
+  run.take(subject_of(asked, run.job()), python_log(), std::move(parameters));
+  const std::string& path = run.job().output.output;
+  AloneWatched watched(asked.of(), asked.state, run.job().run, std::move(observers),
+                       most_kept(path));
   RunSummary summary;
   {
-    State& moved = nb::cast<State&>(state);
+    const RunWatch watch = watched.watch();
+    State& moved = asked.start();
     const nb::gil_scoped_release no_gil;
-    summary = run(framework, moved, options, all);
-    if (forces) forces->publish();
-    end_runs(recorders, moved);
+    summary = run.run_alone(moved, watch);
+    watched.end(moved);
   }
-  if (watch.raised()) std::rethrow_exception(watch.raised());
-  return {summary, nb::borrow(state), std::move(kept)};
+  return result_of(watched.summary(summary, asked.state), asked.structure, path);
 }
 
-/// The attribute of one row of the table of options.
-void bind_field(nb::class_<RunOptions>& options, const RunField& field) {
-  RunOptions any;
-  const std::string name(field.name), type = python_type(field.place(any));
-  options.def_prop_rw(
-      name.c_str(), [&field](RunOptions& self) { return value_of(field.place(self)); },
-      [&field](RunOptions& self, nb::handle value) { take_value(field, field.place(self), value); },
-      nb::for_getter(nb::sig(("def " + name + "(self) -> " + type).c_str())),
-      nb::for_setter(nb::sig(("def " + name + "(self, arg: " + type + ", /) -> None").c_str())),
-      nb::for_setter(nb::arg().none()), docstring(field.summary).c_str());
+std::vector<OwnedRunSummary> run_ensemble_from(const nb::handle& framework, nb::object state,
+                                               std::pair<std::uint64_t, std::uint64_t> shard,
+                                               const nb::kwargs& more) {
+  nb::dict given(more);
+  Job job = usual_job("run");
+  job.walkers.first = static_cast<std::int64_t>(shard.first);
+  job.walkers.walkers = static_cast<std::int64_t>(shard.second - shard.first);
+  job.walkers.threads = 1;
+  job.output.topology = no_topology;
+  if (const nb::object value = taken(given, "threads"); !value.is_none())
+    job.walkers.threads = argument_as<std::int32_t>("threads", value, "int", 1);
+  const nb::object observers_of = taken(given, "observers_of");
+  take_moves(given, job);
+  refuse_unknown(core().attr("run_ensemble"), nb::make_tuple(framework, state), given);
+  const AskedRun asked = open_run(framework, std::move(state), nb::none(), job);
+  check_pushes(asked.of(), job.run.replay);
+  show_framework(job.run.technique, asked.of());
+  AllWatched watched(observers_of, job);
+  RunJob run(std::move(job), "");
+  run.take(subject_of(asked, run.job()), python_log());
+  const State start = asked.start();
+  std::vector<RunSummary> summaries;
+  {
+    const RunWatch watch = watched.watch();
+    const nb::gil_scoped_release no_gil;
+    summaries = run.run(start, watch);
+  }
+  return watched.summaries(summaries);
 }
 
-/// Its name, to which a function may be set: ``custom`` from then on.
-void bind_technique(nb::class_<RunOptions>& options) {
-  options.def_prop_rw(
-      "technique", [](const RunOptions& self) { return self.technique.name; },
-      [](RunOptions& self, const TechniqueLike& chosen) { choose(self.technique, chosen); },
-      nb::for_setter(nb::sig("def technique(self, technique: str | "
-                             "collections.abc.Callable[[numpy.typing.NDArray[numpy.float64], int, "
-                             "Framework], None], /) -> None")),
-      docstring(find_run_field("technique").summary).c_str());
+nb::object continue_from(const std::filesystem::path& path, std::optional<std::int64_t> steps,
+                         const nb::kwargs& more) {
+  nb::dict given(more);
+  Job job = usual_job("run");
+  take_values(output_fields(), given, job.output);
+  job.go_on = path_text(path);
+  job.walkers.threads = 1;
+  const nb::object observers = taken(given, "observers");
+  refuse_unknown(core().attr("continue_run"), nb::make_tuple(nb::none()), given);
+  const std::vector<nb::object> all =
+      observers.is_none() ? std::vector<nb::object>() : members_of("observers", observers);
+  AllWatched watched(nb::cpp_function([&all](std::int64_t) { return all; }), job);
+  std::vector<RunSummary> summaries;
+  {
+    const RunWatch watch = watched.watch();
+    const Log log = python_log();
+    const nb::gil_scoped_release no_gil;
+    summaries = ContinuedRun(std::move(job), steps, "", log).run(watch);
+  }
+  return result_of(watched.summaries(summaries).front(), nb::none(), path_text(path));
 }
 
-void bind_ordering(nb::class_<RunOptions>& options) {
-  options.def_prop_rw(
-      "ordering",
-      [](const RunOptions& self) -> nb::object {
-        if (!self.technique.ordering) return nb::none();
-        return ordering_to_python(*self.technique.ordering);
-      },
-      [](RunOptions& self, const std::optional<OrderingColumns>& columns) {
-        self.technique.ordering = technique_ordering(columns);
-      },
-      nb::for_getter(nb::sig("def ordering(self) -> tuple[numpy.typing.NDArray[numpy.uint32], "
-                             "numpy.typing.NDArray[numpy.uint32], "
-                             "numpy.typing.NDArray[numpy.bool_]] | None")),
-      nb::arg().none(),
-      "The ordering for technique \"input\", in place of the order of the bars: (bar, near, "
-      "is_tree).");
+constexpr const char* doc_of_run =
+    R"(Push a framework again and again, resolve the bars that break, and record each step.
+
+Each step breaks bars by a perturbation (position Verlet: Verlet, Phys. Rev. 159 (1967) 98; or
+random displacements, as in FRODA) and makes them whole by a technique, as ``resolve`` does. Step 0
+is the start, resolved first if it is broken. The same arguments give the same bits. Other Python
+threads run meanwhile. Ctrl-C ends the run after a sweep: the file is closed properly, then
+KeyboardInterrupt is raised.
+
+Parameters
+----------
+framework : Framework, Structure, path, Universe, AtomGroup, rdkit.Chem.Mol, ...
+    A framework, or a molecule as ``sample`` takes it, whose framework is built with ``bars``,
+    ``lengths`` and ``pin``. A file is read as the command does: a molecule with the bonds that it
+    lacks perceived, or graph XML.
+state : State or (N, 3) Angstrom, optional
+    Where to start. A State is changed in place; positions are copied. Default: those of the
+    structure.
+)";
+
+constexpr const char* doc_of_guide = R"(guide : Guide, optional
+    Where joints are asked to go, in place of ``perturb``, until they have arrived;
+    ``displacement`` at most in a step.
+walker : int
+    All random numbers are functions of the seed, this, the step and the joint.
+structure : Structure, optional
+    The structure whose bonds and masses are recorded with a framework that you have made.
+observers : callables
+    Each is called with a ``Frame``. If one returns something true, the run ends after that frame.
+    If one raises an exception, the run ends with it.
+parameters : dict, optional
+    Further values for /parameters of the file, by path.
+)";
+
+constexpr const char* doc_of_refusals = R"(
+Returns
+-------
+RunResult
+    A RunSummary with the frames. Its ``state`` is where the run ended. Steps that did not
+    converge are counted; they raise nothing.
+
+Raises
+------
+OptionError
+    An option is out of range; the message names it.
+InputError
+    Positions that cannot carry the framework: not finite, or too far from the origin.
+FileError
+    The file exists (and ``overwrite`` is false) or cannot be written.
+)";
+
+constexpr const char* doc_of_ensemble =
+    R"(Run many walkers from one start, on threads and in lanes.
+
+Each walker does what ``run`` does with its number, whatever the shard and the threads: two halves
+of the walkers on two machines give the same bits as all of them in one call.
+
+Parameters
+----------
+framework : Framework
+state : State or (N, 3) Angstrom
+    Where all walkers start; it is not changed.
+shard : (first, end)
+    The walkers to run: first, first + 1, ..., end - 1.
+threads : int
+    Number of threads; up to eight walkers step together on each if lanes can take them (bars
+    alone), else one follows the other.
+observers_of : callable, optional
+    Called with a walker's number before it begins; returns its observers. Each frame that they see
+    holds a copy of its positions. Recorders are closed when their walker ends. An exception of an
+    observer stops its own walker only.
+)";
+
+constexpr const char* doc_of_summaries = R"(
+Returns
+-------
+list of RunSummary
+    In the order of the walkers' numbers. ``state`` is where a walker ended; None if it never
+    began.
+
+Raises
+------
+OptionError, InputError
+    As for ``run``. The first exception of an observer is raised once all walkers have ended.
+)";
+
+constexpr const char* continue_doc =
+    R"(Go on with the run of an H5MD file, as if it had never stopped.
+
+The file holds the framework, every option and where the run was, after its end, Ctrl-C or a crash.
+Frames are added to it. Together they have the bits of one run without an end between. A last frame
+that is none of every N-th was only the end of the run, and makes way.
+
+Parameters
+----------
+path : str or path
+    A file that ``run`` or the command has written.
+steps : int, optional
+    How many steps the run is to have in all, those in the file included. Default: as many as it was
+    asked for.
+observers : callables
+    As for ``run``. They see each frame from the last checkpoint on, about a second before the end
+    of a run that was killed.
+flush_seconds, durable
+    As for ``H5mdRecorder``.
+
+Returns
+-------
+RunResult
+    A RunSummary of the steps that were done now; its frames are all of the file.
+
+Raises
+------
+InputError
+    The file has no checkpoint, or the technique is a function.
+OptionError
+    The file has more steps than ``steps``.
+FileError
+    The file cannot be written, or is being written.
+)";
+
+constexpr const char* observers_type =
+    "collections.abc.Iterable[collections.abc.Callable[[Frame], object]] = ()";
+
+std::string signature() {
+  Job usual = usual_job("run");
+  std::string text = "def run(framework: Framework | " + std::string(any_molecule) +
+                     ", state: State | numpy.typing.ArrayLike | None = None";
+  for (const auto& field : output_fields()) {
+    if (field.users.python) text += ", " + argument_text(field, field.place(usual.output));
+    if (field.name == "output") text += ", *, " + argument_texts_of_moves();
+  }
+  return text + ", " + argument_texts(bars_fields(), BarsAsked()) + ", " +
+         argument_text(select_row(), &usual.molecule.input.select) + ", " +
+         argument_text(forces_row(), &usual.walkers.record_forces) +
+         ", guide: Guide | None = None, walker: int = 0, structure: Structure | None = None, "
+         "observers: " +
+         observers_type +
+         ", parameters: collections.abc.Mapping[str, bool | int | float | str] | None = None) "
+         "-> RunResult";
 }
 
-void bind_replay(nb::class_<RunOptions>& options) {
-  options.def_prop_rw(
-      "replay", [](const RunOptions& self) { return pushes_to_python(self.replay); },
-      [](RunOptions& self, const PythonPushes& pushes) { self.replay = pushes_from(pushes); },
-      "Forces in place of ``perturb``: (joint, (x, y, z)) in kJ/(mol Angstrom), one per step.");
-  options.def_rw("replay_counts", &RunOptions::replay_counts,
-                 "Forces of ``replay`` in each step; empty: one.");
-  options.def_rw("guide", &RunOptions::guide, "Followed in place of ``perturb``.");
-}
-
-void bind_options(nb::module_& module) {
-  nb::class_<RunOptions> options(module, "RunOptions", "What a run does; checked at its start.");
-  options.def(nb::init<>())
-      .def(
-          "check", [](const RunOptions& self) { check(self); },
-          "Raises OptionError naming the option, its value and its range.");
-  for (const RunField& field : run_fields())
-    if (field.name == "technique")
-      bind_technique(options);
-    else
-      bind_field(options, field);
-  options.def_prop_rw(
-      "walker", [](const RunOptions& self) { return self.resolve.walker; },
-      [](RunOptions& self, nb::handle value) {
-        self.resolve.walker = argument_as<std::uint64_t>("walker", value, "int");
-      },
-      nb::for_setter(nb::sig("def walker(self, arg: int, /) -> None")),
-      nb::for_setter(nb::arg().none()), "Which of several independent runs this is.");
-  options.def(
-      "parameters",
-      [](const RunOptions& self, const Framework& framework) {
-        return parameters_to_python(parameters_of(self, framework));
-      },
-      "framework"_a,
-      nb::sig("def parameters(self, framework: Framework) -> dict[str, bool | int | float | str]"),
-      "Every option by its path below /parameters of a recorded file: \"run/max_sweeps\".");
-  bind_ordering(options);
-  bind_replay(options);
-}
-
-void bind_force_recorder(nb::module_& module) {
-  nb::class_<ForceRecorder>(module, "ForceRecorder", "A force file that ``run_steps`` writes.")
-      .def(
-          "__init__",
-          [](ForceRecorder* self, const std::filesystem::path& path, const Framework& framework,
-             const RunOptions& options, bool overwrite, const Structure* structure,
-             const State* start, const std::vector<std::pair<std::string, std::string>>& input) {
-            ForceHeader header = force_header_of(framework);
-            if (structure != nullptr && start != nullptr)
-              header.structure = fingerprint(structure->atoms, start->positions);
-            for (const auto& [name, value] : input) header.input.push_back({name, value});
-            new (self) ForceRecorder(path, overwrite, framework,
-                                     force_file_of(options, std::move(header)));
-          },
-          "path"_a, "framework"_a, "options"_a, "overwrite"_a = false, nb::kw_only(),
-          "structure"_a = nb::none(), "start"_a = nb::none(),
-          "input"_a = std::vector<std::pair<std::string, std::string>>(), nb::keep_alive<1, 3>(),
-          "There once the run has ended; ``structure``, where it starts and how its framework was\n"
-          "made are noted in it. Raises FileError if it cannot be made.");
-}
-
-void bind_kept(nb::class_<OwnedRunSummary>& summary) {
-  summary
-      .def(
-          "__init__",
-          [](OwnedRunSummary* self, OwnedRunSummary& other) {
-            new (self) OwnedRunSummary(std::move(other));
-          },
-          "other"_a, "Takes what ``other`` holds.")
-      .def_prop_ro(
-          "kept",
-          [](nb::handle_t<OwnedRunSummary> self) {
-            return view_of(nb::cast<OwnedRunSummary&>(self).kept, self);
-          },
-          "(F * N, 3) float64 view, Angstrom: frames that were kept in memory.");
-}
-
-void bind_run_summary(nb::module_& module) {
-  nb::class_<OwnedRunSummary> summary(module, "RunSummary", "What a run did.");
-  bind_kept(summary);
-  summary
-      .def_ro("state", &OwnedRunSummary::state, nb::sig("def state(self) -> State"),
-              "What the run moved: its last positions.")
-      .def_ro("steps", &RunSummary::steps, "Steps done.")
-      .def_ro("frames", &RunSummary::frames, "Frames shown to observers.")
-      .def_ro("unconverged_steps", &RunSummary::unconverged_steps,
-              "Steps after which some bar missed the tolerance.")
-      .def_ro("first_unconverged_step", &RunSummary::first_unconverged_step,
-              "The first of them; -1 if none.")
-      .def_ro("sweeps", &RunSummary::sweeps, "Sweeps of all steps.")
-      .def_ro("max_sweeps", &RunSummary::max_sweeps, "Sweeps of the step that needed most.")
-      .def_ro("projections", &RunSummary::projections, "Bars looked at in all steps.")
-      .def_ro("worst_residual", &RunSummary::worst_residual,
-              "Largest |length - rest| / rest after any step.")
-      .def_ro("worst_bar", &RunSummary::worst_bar, "Its bar.")
-      .def_ro("worst_step", &RunSummary::worst_step, "Its step.")
-      .def_ro("stopped_by_caller", &RunSummary::stopped_by_caller, "An observer asked to stop.")
-      .def_ro("perturb_seconds", &RunSummary::perturb_seconds, "Wall time of perturbing.")
-      .def_ro("resolve_seconds", &RunSummary::resolve_seconds, "Wall time of resolving.")
-      .def_ro("observe_seconds", &RunSummary::observe_seconds, "Wall time of the observers.")
-      .def_ro("seconds", &RunSummary::seconds, "Wall time of it all.")
-      .def_prop_ro(
-          "converged", [](const OwnedRunSummary& self) { return self.unconverged_steps == 0; },
-          "Every bar was within the tolerance after every step.")
-      .def_prop_ro(
-          "mean_sweeps", [](const OwnedRunSummary& self) { return self.mean_sweeps(); },
-          "Mean number of sweeps a step.")
-      .def_prop_ro(
-          "ns_per_bar_and_sweep",
-          [](const OwnedRunSummary& self) { return self.ns_per_bar_and_sweep(); },
-          "Resolve time over projections, nanoseconds.")
-      .def("__repr__", [](const OwnedRunSummary& self) {
-        return "<pliant.RunSummary: " + std::to_string(self.steps) + " steps, " +
-               std::to_string(self.frames) + " frames, " + std::to_string(self.unconverged_steps) +
-               " unconverged>";
-      });
+std::string run_doc() {
+  Job usual = usual_job("run");
+  return doc_of_run + argument_docs(output_fields(), OutputOptions()) + argument_docs_of_moves() +
+         argument_docs(bars_fields(), BarsAsked()) +
+         argument_doc(select_row(), &usual.molecule.input.select) +
+         argument_doc(forces_row(), &usual.walkers.record_forces) + doc_of_guide + doc_of_refusals;
 }
 
 }  // namespace
 
 void bind_run(nb::module_& module) {
-  bind_options(module);
-  bind_force_recorder(module);
   bind_run_summary(module);
+  const std::string of_moves = argument_texts_of_moves();
+  module.def("run", &run_from, "framework"_a.none(), "state"_a = nb::none(),
+             "output"_a = nb::none(), "options"_a, nb::sig(signature().c_str()), run_doc().c_str());
   module.def(
-      "run_steps", &run_steps, "framework"_a, "state"_a, "options"_a, "observers"_a,
-      "forces"_a = nb::none(), "most_kept"_a = 0,
-      "Steps ``state`` on and shows frames to observers; the function ``run`` says more. Frames\n"
-      "that take at most ``most_kept`` bytes in all are kept in memory.");
+      "run_ensemble", &run_ensemble_from, "framework"_a, "state"_a,
+      "shard"_a = std::pair<std::uint64_t, std::uint64_t>(0, 8), "options"_a,
+      nb::sig(("def run_ensemble(framework: Framework, state: State | numpy.typing.ArrayLike, "
+               "shard: tuple[int, int] = (0, 8), *, threads: int = 1, observers_of: "
+               "collections.abc.Callable[[int], collections.abc.Iterable["
+               "collections.abc.Callable[[Frame], object] | H5mdRecorder]] | None = None, " +
+               of_moves + ") -> list[RunSummary]")
+                  .c_str()),
+      (doc_of_ensemble + argument_docs_of_moves() + doc_of_summaries).c_str());
+  module.def(
+      "continue_run", &continue_from, "path"_a, "steps"_a = nb::none(), "options"_a,
+      nb::sig((std::string("def continue_run(path: str | os.PathLike[str], steps: int | "
+                           "None = None, *, observers: ") +
+               observers_type + ", flush_seconds: float = 1.0, durable: bool = False) -> RunResult")
+                  .c_str()),
+      continue_doc);
 }
 
 }  // namespace pliant::python

@@ -90,6 +90,16 @@ struct Restored {
 
 }  // namespace
 
+std::string option_name(std::string_view field, std::string_view dashes) {
+  std::string option = std::string(dashes) + std::string(field);
+  if (!dashes.empty()) std::ranges::replace(option, '_', '-');
+  return option;
+}
+
+std::string option_name(const OptionFacts& facts) {
+  return option_name(facts.opposite.empty() ? facts.name : facts.opposite);
+}
+
 std::int64_t least_taken(const OptionFacts& facts) {
   if (facts.least > 0) return facts.least;
   return facts.range == Range::positive ? 1 : 0;

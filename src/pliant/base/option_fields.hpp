@@ -84,6 +84,13 @@ OptionPlace place_at(Options& options) {
   return follow_members<Members...>(options);
 }
 
+/// As messages name an option: "--max-sweeps" for the command, "max_sweeps" for scripts, which have
+/// no `dashes`.
+std::string option_name(std::string_view field, std::string_view dashes = "--");
+
+/// What the command calls an option: that of a flag that is true if not given is its opposite.
+std::string option_name(const OptionFacts& facts);
+
 /// Returns the least and the largest whole number that the command and the page take.
 std::int64_t least_taken(const OptionFacts& facts);
 std::int64_t largest_taken(const OptionFacts& facts);

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,7 +33,12 @@ struct Job {
   GuideAsked guide;
   ConformerOptions conformers;
   OutputOptions output;
-  std::string go_on;  ///< trajectory that is continued; "": a new one
+  std::string go_on;     ///< trajectory that is continued; "": a new one
+  bool is_live = false;  ///< clients follow a run and pull
+  /// Names of the options that were given, which a file that is replayed does not decide.
+  std::set<std::string, std::less<>> given = {};
+
+  bool was_given(std::string_view name) const { return given.contains(name); }
 };
 
 /// A job whose options are as usual for that task. Throws OptionError for an unknown task.

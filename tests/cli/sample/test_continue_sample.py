@@ -108,8 +108,8 @@ def test_runs_and_samples_are_not_mixed_up(pliant, ethanol):
     ended = pliant("run", "--continue", "sample.h5md")
     assert (ended.code, ended.err) == (
         1,
-        "pliant: error: sample.h5md: holds frames of pliant sample: pliant sample --continue goes "
-        "on with them\n",
+        "pliant: error: sample.h5md: holds frames of a sample: pliant sample --continue and "
+        "continue_sample go on with them\n",
     )
     ended = pliant("sample", "--continue", "none.h5md")
     assert (ended.code, ended.err) == (1, "pliant: error: none.h5md: is not there\n")

@@ -179,7 +179,7 @@ def test_frames_of_a_file_are_read_when_they_are_asked_for(tmp_path, monkeypatch
 
 
 def test_frames_of_a_long_run_are_not_kept(monkeypatch):
-    monkeypatch.setattr("pliant._run.MOST_KEPT", 1000)
+    monkeypatch.setattr("pliant._trajectory.results.MOST_KEPT", 1000)
     done = pliant.run(PEPTIDE, steps=4)
     assert done.steps == 4
     with pytest.raises(pliant.InputError, match=r'pliant\.run\(\.\.\., output="run\.h5md"\)'):

@@ -18,12 +18,12 @@ inline constexpr std::string_view automatic_model = "auto";
 struct ModelAsked {
   std::string model;  ///< a name in models(), "auto", or "": none, for jobs that need none
   double hbond_cutoff = HydrogenBondOptions{}.cutoff;  ///< kcal/mol
-  std::string contacts;       ///< file of contacts; "": they are searched for
-  OptionNames more_contacts;  ///< kinds that are not usual
+  std::string contacts = {};       ///< file of contacts; "": they are searched for
+  OptionNames more_contacts = {};  ///< kinds that are not usual
   bool keep_waters = false;
-  OptionNames keep;
+  OptionNames keep = {};
   bool fill_side_chains = false, all_hydrogens = false;
-  OptionNames protonate;
+  OptionNames protonate = {};
   double floppy_below = 0.0;   ///< 0: no residue
   bool free_torsions = false;  ///< heeded by samples
 };

@@ -29,7 +29,10 @@ const OptionField<BarsAsked> table[] = {
       .summary = "bars: bonds, angles (bonds, angles and planar groups), none, or a bars file "
                  "(default: bonds); in place of --model",
       .kind = "NAME or FILE",
-      .is_file = true},
+      .is_file = true,
+      .in_python = "Bars: bonds, angles (bonds, angles and planar groups), none, or a bars file; "
+                   "empty: bonds.",
+      .type_in_python = "str | os.PathLike[str]"},
      at<&BarsAsked::bars>},
     {{.name = "lengths",
       .group = group,
@@ -141,6 +144,11 @@ std::span<const OptionRow<MoleculeOptions>> molecule_rows() {
   return rows;
 }
 
+RunSubject subject_of(const Molecule& molecule) {
+  return {molecule.framework, molecule.structure.positions, &molecule.structure,
+          molecule.fingerprint, molecule.model};
+}
+
 std::string bars_of(const MoleculeOptions& options) {
   if (!options.bars.bars.empty()) return options.bars.bars;
   return options.model.model.empty() ? "bonds" : options.model.model;
@@ -168,12 +176,11 @@ std::vector<std::string> inputs_of(const MoleculeOptions& options) {
   return {options.input.file, has_bars_file ? options.bars.bars : "", options.model.contacts};
 }
 
-ForceHeader force_header_of(const MoleculeOptions& options, const Molecule& molecule) {
-  ForceHeader header = force_header_of(molecule.framework);
-  header.structure = molecule.fingerprint;
+ForceHeader force_header_of(const MoleculeOptions& options, const RunSubject& subject) {
+  ForceHeader header = force_header_of(subject.framework);
+  header.structure = subject.fingerprint;
   const bool has_model = !options.model.model.empty();
-  const bool is_said =
-      has_model || molecule.structure.format != "graph" || !options.bars.bars.empty();
+  const bool is_said = has_model || !subject.is_graph() || !options.bars.bars.empty();
   if (is_said) header.input.push_back({has_model ? "model" : "bars", bars_of(options)});
   MoleculeOptions given = options, usual;
   for (const auto& row : molecule_rows()) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,6 +44,20 @@ struct Molecule {
   std::string model = {};                  ///< its name; "": none
 };
 
+/// What a run moves. All must outlive it.
+struct RunSubject {
+  const Framework& framework;
+  std::span<const Vec3> start;                    ///< (N) Angstrom
+  const Structure* structure = nullptr;           ///< null: nothing is known of its atoms
+  std::optional<std::uint64_t> fingerprint = {};  ///< of the structure as read, before its model
+  std::string model = {};                         ///< its name; "": none
+  bool is_given = false;                          ///< as a framework, which no option made
+
+  bool is_graph() const { return structure == nullptr || structure->format == "graph"; }
+};
+
+RunSubject subject_of(const Molecule& molecule);
+
 /// The name or file of the bars: "bonds" by default, or the name of the model.
 std::string bars_of(const MoleculeOptions& options);
 
@@ -56,7 +71,7 @@ Molecule load_molecule(const MoleculeOptions& options, const Log& log);
 /// The files that are read; "" for none.
 std::vector<std::string> inputs_of(const MoleculeOptions& options);
 
-/// The header of a force file for this molecule: options that are not as usual.
-ForceHeader force_header_of(const MoleculeOptions& options, const Molecule& molecule);
+/// The header of a force file for it: options that are not as usual.
+ForceHeader force_header_of(const MoleculeOptions& options, const RunSubject& subject);
 
 }  // namespace pliant

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "options/force_header_input.hpp"
+#include "pliant/jobs/replay/replayed_header.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "options/option_fields.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
@@ -12,7 +11,7 @@
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/stated_bars.hpp"
 
-namespace pliant::app {
+namespace pliant {
 namespace {
 
 std::string compared(std::string_view text, bool is_file) {
@@ -32,11 +31,11 @@ bool is_of_header(const OptionFacts& facts) {
 
 class HeaderTaking {
  public:
-  HeaderTaking(const CommandLine& line, RunSettings& settings)
-      : line_(line), settings_(settings), options_(settings.job.molecule) {}
+  HeaderTaking(Job& job, ReplayedForces& replayed)
+      : job_(job), replayed_(replayed), options_(job.molecule) {}
 
   void take() {
-    const auto& input = settings_.force_header->input;
+    const auto& input = replayed_.header->input;
     for (const ForceSetting& one : input) at_line(one, [&] { check_name(one); });
     take_model();
     for (const OptionRow<MoleculeOptions>& row : molecule_rows())
@@ -45,7 +44,7 @@ class HeaderTaking {
 
  private:
   const ForceSetting* find(std::string_view name) const {
-    const auto& input = settings_.force_header->input;
+    const auto& input = replayed_.header->input;
     const auto found = std::ranges::find(input, name, &ForceSetting::name);
     return found == input.end() ? nullptr : &*found;
   }
@@ -55,7 +54,7 @@ class HeaderTaking {
     try {
       work();
     } catch (const OptionError& error) {
-      fail({settings_.job.walkers.forces, one.line}, std::string("input: ") + error.what());
+      fail({job_.walkers.forces, one.line}, std::string("input: ") + error.what());
     }
   }
 
@@ -71,9 +70,7 @@ class HeaderTaking {
     }
   }
 
-  void note(const ForceSetting& one) {
-    settings_.taken_from_forces.emplace_back(one.name, one.value);
-  }
+  void note(const ForceSetting& one) { replayed_.taken.emplace_back(one.name, one.value); }
 
   /// The model and the bars exclude each other.
   void take_model() {
@@ -90,15 +87,15 @@ class HeaderTaking {
         option == "--" + named->name && compared(bars_of(options_), is_bars_file(named->value)) ==
                                             compared(named->value, is_bars_file(named->value));
     if (!is_same)
-      overrides_forces(settings_, spelled(option, bars_of(options_)),
-                       "with " + spelled("--" + named->name, named->value));
+      refuse_unless_overridden(job_, spelled(option, bars_of(options_)),
+                               "with " + spelled("--" + named->name, named->value));
   }
 
   void take(const OptionRow<MoleculeOptions>& row) {
     const OptionFacts& facts = *row.facts;
-    const std::string option = option_name(facts.opposite.empty() ? facts.name : facts.opposite);
+    const std::string option = option_name(facts);
     const ForceSetting* named = find(facts.name);
-    if (!line_.was_given(option)) {
+    if (!job_.was_given(facts.name)) {
       if (named == nullptr) return;
       at_line(*named, [&] { set_option(facts, row.place(options_), named->value); });
       at_line(*named, [&] { check_option(facts, row.place(options_)); });
@@ -108,65 +105,61 @@ class HeaderTaking {
     const std::string given = option_text(row.place(options_));
     const std::string made = named ? named->value : option_text(row.place(usual));
     if (compared(given, facts.is_file) == compared(made, facts.is_file)) return;
-    overrides_forces(settings_, spelled(option, given),
-                     named ? "with " + spelled(option, made) : "without " + option);
+    refuse_unless_overridden(job_, spelled(option, given),
+                             named ? "with " + spelled(option, made) : "without " + option);
   }
 
-  const CommandLine& line_;
-  RunSettings& settings_;
+  Job& job_;
+  ReplayedForces& replayed_;
   MoleculeOptions& options_;
 };
 
 /// Nobody can say whether what holds the molecule is what it was made for.
-void warn_of_unknown_model(const RunSettings& settings, const Molecule& molecule, const Log& log) {
-  const ForceHeader& header = *settings.force_header;
-  const bool is_said =
-      !settings.job.molecule.model.model.empty() || !settings.job.molecule.bars.bars.empty();
+void warn_of_unknown_model(const Job& job, const ForceHeader& header, const RunSubject& subject,
+                           const Log& log) {
+  const bool is_said = !job.molecule.model.model.empty() || !job.molecule.bars.bars.empty();
   const bool is_known = header.joints.has_value() || !header.input.empty();
-  if (is_said || is_known || molecule.structure.format == "graph") return;
-  log.warn(printable_name(settings.job.walkers.forces) +
+  if (is_said || is_known || subject.is_graph()) return;
+  log.warn(printable_name(job.walkers.forces) +
            ": does not say for which structure, model and hydrogens it was made: " +
-           std::to_string(molecule.framework.joint_count()) +
+           std::to_string(subject.framework.joint_count()) +
            " joints and --bars bonds are a guess; give its --model or --bars");
 }
 
 }  // namespace
 
-bool overrides_forces(const RunSettings& settings, const std::string& given,
-                      const std::string& made) {
-  if (settings.job.walkers.override_forces) return true;
-  throw OptionError(given + ": " + printable_name(settings.job.walkers.forces) + " was made " +
-                    made +
+void refuse_unless_overridden(const Job& job, const std::string& given, const std::string& made) {
+  if (job.walkers.override_forces) return;
+  throw OptionError(given + ": " + printable_name(job.walkers.forces) + " was made " + made +
                     "; leave the option out, or give --override-forces to go by the command line");
 }
 
-void take_force_header(const CommandLine& line, RunSettings& settings) {
-  if (settings.job.walkers.forces.empty()) {
-    if (settings.job.walkers.override_forces)
-      throw OptionError("--override-forces: goes with --forces");
+void take_force_header(Job& job, ReplayedForces& replayed) {
+  if (job.walkers.forces.empty()) {
+    if (job.walkers.override_forces) throw OptionError("--override-forces: goes with --forces");
     return;
   }
-  settings.force_text = read_bytes(path_of(settings.job.walkers.forces));
-  settings.force_header =
-      read_force_header(without_byte_order_mark(settings.force_text), settings.job.walkers.forces);
-  if (!settings.force_header->input.empty()) HeaderTaking(line, settings).take();
+  replayed.text = read_bytes(path_of(job.walkers.forces));
+  replayed.header = read_force_header(without_byte_order_mark(replayed.text), job.walkers.forces);
+  if (!replayed.header->input.empty()) HeaderTaking(job, replayed).take();
 }
 
-void check_force_header(const RunSettings& settings, const Molecule& molecule, const Log& log) {
-  if (!settings.force_header) return;
-  const ForceHeader& header = *settings.force_header;
-  warn_of_unknown_model(settings, molecule, log);
-  std::string what = misfit(header, molecule.framework);
+void check_force_header(const Job& job, const ReplayedForces& replayed, const RunSubject& subject,
+                        const Log& log) {
+  if (!replayed.header) return;
+  const ForceHeader& header = *replayed.header;
+  warn_of_unknown_model(job, header, subject, log);
+  std::string what = misfit(header, subject.framework);
   if (!what.empty()) what = "framework: of " + what;
-  if (header.structure && *header.structure != molecule.fingerprint)
+  if (header.structure && subject.fingerprint && *header.structure != *subject.fingerprint)
     what = "structure: with fingerprint " + fingerprint_text(*header.structure) + ", not " +
-           fingerprint_text(molecule.fingerprint) + " as of " +
-           printable_name(settings.job.molecule.input.file);
+           fingerprint_text(*subject.fingerprint) + " as of " +
+           printable_name(job.molecule.input.file);
   if (what.empty()) return;
-  what = printable_name(settings.job.walkers.forces) + ": was made for another " + what;
-  if (!settings.job.walkers.override_forces)
+  what = printable_name(job.walkers.forces) + ": was made for another " + what;
+  if (!job.walkers.override_forces)
     throw InputError(what + "; --override-forces replays it all the same");
   log.warn(what);
 }
 
-}  // namespace pliant::app
+}  // namespace pliant

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "options/force_events_input.hpp"
+#include "pliant/jobs/replay/replayed_events.hpp"
 
 #include <algorithm>
 
-#include "options/option_fields.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/run/replay_events.hpp"
 #include "pliant/run/run_fields.hpp"
 
-namespace pliant::app {
+namespace pliant {
 namespace {
 
 /// What an option is in each step, where it is not the same in all of them: "auto, newton".
@@ -30,30 +29,31 @@ std::string values_in(const std::vector<ForceEvent>& events, const RunField& fie
 }
 
 /// A file of events is one walker's way, step by step.
-void check_options(const CommandLine& line, const RunSettings& settings) {
+void check_options(const Job& job, const ReplayedForces& replayed) {
   const std::string says =
-      printable_name(settings.job.walkers.forces) + " says itself, step by step, what is done";
+      printable_name(job.walkers.forces) + " says itself, step by step, what is done";
   for (const RunField& field : run_fields()) {
     const std::string option = option_name(field.name);
-    if (field.name == "every" || !line.was_given(option)) continue;
-    const std::string given = run_field_text(settings.job.run, field);
-    const std::string made = field.name == "steps" ? std::to_string(steps_of(settings.events))
-                                                   : values_in(settings.events, field);
+    if (field.name == "every" || !job.was_given(field.name)) continue;
+    const std::string given = run_field_text(job.run, field);
+    const std::string made = field.name == "steps" ? std::to_string(steps_of(replayed.events))
+                                                   : values_in(replayed.events, field);
     if (given != made) throw OptionError(option + ": " + says + ": " + made + ", not " + given);
   }
-  for (const char* option : {"--ordering", "--record-forces", "--walkers", "--shard", "--imd"})
-    if (line.was_given(option)) throw OptionError(std::string(option) + ": " + says);
-  if (!pushers_of(settings.job.run.guide).empty())
+  for (const char* option : {"ordering", "record_forces", "walkers", "shard"})
+    if (job.was_given(option)) throw OptionError(option_name(option) + ": " + says);
+  if (job.is_live) throw OptionError("--imd: " + says);
+  if (!pushers_of(job.run.guide).empty())
     throw OptionError("--rock, --pull, --pair-distance: " + says);
 }
 
 /// The settings and pins before the first step, for the summary.
-void note_what_is_taken(RunSettings& settings) {
-  for (const ForceEvent& event : settings.events) {
+void note_what_is_taken(ReplayedForces& replayed) {
+  for (const ForceEvent& event : replayed.events) {
     if (const auto* set = std::get_if<SetOption>(&event.what)) {
-      settings.taken_from_forces.emplace_back(set->name, set->value);
+      replayed.taken.emplace_back(set->name, set->value);
     } else if (const auto* pins = std::get_if<PinJoints>(&event.what)) {
-      settings.taken_from_forces.emplace_back("pins", std::to_string(pins->joints.size()));
+      replayed.taken.emplace_back("pins", std::to_string(pins->joints.size()));
     } else if (!std::holds_alternative<StartWalk>(event.what) &&
                !std::holds_alternative<HoldBack>(event.what)) {
       return;
@@ -63,16 +63,17 @@ void note_what_is_taken(RunSettings& settings) {
 
 }  // namespace
 
-void take_events(const CommandLine& line, RunSettings& settings, const Molecule& molecule,
-                 std::string_view text) {
-  settings.events = parse_force_events(text, settings.job.walkers.forces, molecule.framework);
-  if (steps_of(settings.events) == 0)
-    throw InputError(printable_name(settings.job.walkers.forces) + ": holds no step");
-  check_events(molecule.framework, State(molecule.structure.positions), settings.events,
-               settings.job.walkers.forces);
-  check_options(line, settings);
-  note_what_is_taken(settings);
-  settings.job.run = options_after(settings.job.run, settings.events, molecule.framework);
+void take_events(Job& job, ReplayedForces& replayed, const RunSubject& subject) {
+  replayed.events = parse_force_events(without_byte_order_mark(replayed.text), job.walkers.forces,
+                                       subject.framework);
+  if (steps_of(replayed.events) == 0)
+    throw InputError(printable_name(job.walkers.forces) + ": holds no step");
+  check_events(subject.framework,
+               State(std::vector<Vec3>(subject.start.begin(), subject.start.end())),
+               replayed.events, job.walkers.forces);
+  check_options(job, replayed);
+  note_what_is_taken(replayed);
+  job.run = options_after(job.run, replayed.events, subject.framework);
 }
 
-}  // namespace pliant::app
+}  // namespace pliant
