@@ -54,10 +54,6 @@ POSITIVES = Wanted(
     lambda x: len(x) > 0 and all(fits(one, "float") and 0 < one < math.inf for one in x),
 )
 PAIRS_OF_TEXTS = Wanted("pairs of texts", lambda x: all(_is_pair(pair, "str") for pair in x))
-WALKERS = Wanted(
-    "two whole numbers from 0, the first walker and the end",
-    lambda x: _is_pair(x, "int") and all(0 <= one < 2**63 for one in x),
-)
 
 
 def checked(**wanted: Wanted) -> Callable[[Callable[P, R]], Callable[P, R]]:

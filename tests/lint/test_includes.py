@@ -61,7 +61,7 @@ WINGS = {
     "resolve/bodies": ("tree", "near", "pull", "outward", "region"),
     "conformers": ("rings", "torsions", "strain", "choice"),
     "sample": ("network", "turns", "pocket"),
-    "jobs": ("asked", "files"),
+    "jobs": ("asked", "replay", "files"),
     "lab": ("examples", "generate", "test_sets"),
     "record": ("hdf5", "h5md", "xml"),
 }

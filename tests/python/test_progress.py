@@ -168,8 +168,7 @@ def test_commands_of_python_show_bars_in_notebooks(bars, monkeypatch):
     assert (bar.what, bar.total, bar.shown, bar.closed) == ("jobs", 4, [1, 2], 1)
 
 
-def test_walkers_that_begin_are_shown(monkeypatch, bars):
-    monkeypatch.setattr("pliant._ensemble.begin", _progress.begin)
+def test_walkers_that_begin_are_shown(bars):
     structure = pliant.read(CAFFEINE)
     seen = []
     pliant.run_ensemble(
@@ -180,7 +179,8 @@ def test_walkers_that_begin_are_shown(monkeypatch, bars):
         observers_of=lambda walker: seen.append(walker) or (),
     )
     (bar,) = bars
-    assert (bar.what, bar.total, bar.shown, bar.closed) == ("walkers begun", 5, [1, 2, 3, 4, 5], 1)
+    assert (bar.what, bar.total, bar.closed) == ("walkers begun", 5, 1)
+    assert bar.shown == sorted(bar.shown) and bar.shown[-1] == 5
     assert sorted(seen) == [3, 4, 5, 6, 7]
 
 

@@ -48,11 +48,11 @@ Job take_job(nb::dict given) {
   if (job.output.topology.empty()) job.output.topology = no_topology;
   take_values(bars_fields(), given, job.molecule.bars);
   take_values(walkers_fields(), given, job.walkers);
-  if (const nb::object value = taken(given, "select"); !value.is_none())
-    take_value(select_row(), &job.molecule.input.select, value);
-  if (const nb::object value = taken(given, "walker"); !value.is_none())
-    job.walkers.first =
-        static_cast<std::int64_t>(argument_as<std::uint64_t>("walker", value, "int"));
+  if (given.contains("select"))
+    take_value(select_row(), &job.molecule.input.select, taken(given, "select"));
+  if (given.contains("walker"))
+    job.walkers.first = static_cast<std::int64_t>(
+        argument_as<std::uint64_t>("walker", taken(given, "walker"), "int"));
   if (const nb::object value = taken(given, "guide"); !value.is_none())
     job.run.guide = argument_as<Guide>("guide", value, "Guide");
   take_moves(given, job);
@@ -126,19 +126,29 @@ nb::object run_from(const nb::handle& source, nb::object state, const nb::object
   return result_of(watched.summary(summary, asked.state), asked.structure, path);
 }
 
+std::pair<std::uint64_t, std::uint64_t> shard_from(nb::handle value) {
+  std::pair<std::int64_t, std::int64_t> shard;
+  if (nb::try_cast(value, shard) && shard.first >= 0 && shard.second >= 0) return shard;
+  throw OptionError(
+      "shard = " +
+      nb::cast<std::string>(nb::module_::import_("pliant._refusals").attr("shown")(value)) +
+      ": must be two whole numbers from 0, the first walker and the end");
+}
+
 std::vector<OwnedRunSummary> run_ensemble_from(const nb::handle& framework, nb::object state,
-                                               std::pair<std::uint64_t, std::uint64_t> shard,
-                                               const nb::kwargs& more) {
+                                               const nb::handle& walkers, const nb::kwargs& more) {
+  const auto shard = shard_from(walkers);
   nb::dict given(more);
   Job job = usual_job("run");
-  job.walkers.first = static_cast<std::int64_t>(shard.first);
-  job.walkers.walkers = static_cast<std::int64_t>(shard.second - shard.first);
   job.walkers.threads = 1;
   job.output.topology = no_topology;
-  if (const nb::object value = taken(given, "threads"); !value.is_none())
-    job.walkers.threads = argument_as<std::int32_t>("threads", value, "int", 1);
+  if (given.contains("threads"))
+    job.walkers.threads = argument_as<std::int32_t>("threads", taken(given, "threads"), "int");
   const nb::object observers_of = taken(given, "observers_of");
   take_moves(given, job);
+  check(EnsembleOptions{{}, {shard.first, shard.second}, static_cast<int>(job.walkers.threads)});
+  job.walkers.first = static_cast<std::int64_t>(shard.first);
+  job.walkers.walkers = static_cast<std::int64_t>(shard.second - shard.first);
   refuse_unknown(core().attr("run_ensemble"), nb::make_tuple(framework, state), given);
   const AskedRun asked = open_run(framework, std::move(state), nb::none(), job);
   check_pushes(asked.of(), job.run.replay);
@@ -337,7 +347,7 @@ void bind_run(nb::module_& module) {
              "output"_a = nb::none(), "options"_a, nb::sig(signature().c_str()), run_doc().c_str());
   module.def(
       "run_ensemble", &run_ensemble_from, "framework"_a, "state"_a,
-      "shard"_a = std::pair<std::uint64_t, std::uint64_t>(0, 8), "options"_a,
+      "shard"_a = nb::make_tuple(0, 8), "options"_a,
       nb::sig(("def run_ensemble(framework: Framework, state: State | numpy.typing.ArrayLike, "
                "shard: tuple[int, int] = (0, 8), *, threads: int = 1, observers_of: "
                "collections.abc.Callable[[int], collections.abc.Iterable["

@@ -53,9 +53,6 @@ H5mdCheckpoint read_run(const std::string& file, std::optional<std::int64_t> ste
                       std::to_string(from.steps) + ": " + name + " has " +
                       std::to_string(from.done) +
                       " steps already; steps are counted from the start of the run");
-  if (from.last_step >= from.began + from.steps)
-    log.note(name + " has all of its " + std::to_string(from.steps) +
-             " steps; --steps N goes on up to step N");
   return from;
 }
 
@@ -87,6 +84,9 @@ ContinuedRun::ContinuedRun(Job job, std::optional<std::int64_t> steps, std::stri
 }
 
 std::vector<RunSummary> ContinuedRun::run(const RunWatch& watch) {
+  if (from_.last_step >= from_.began + from_.steps)
+    log_.note(path_text(from_.path) + " has all of its " + std::to_string(from_.steps) +
+              " steps; --steps N goes on up to step N");
   const auto first = static_cast<std::uint64_t>(job_.walkers.first);
   EnsembleOptions options{job_.run,
                           {first, first + static_cast<std::uint64_t>(job_.walkers.walkers)},

@@ -132,7 +132,7 @@ void RunJob::take(const RunSubject& subject, const Log& log,
   OutputOptions& output = job_.output;
   output.record.log = log;
   output.record.saved = select_joints(subject.framework, output.save, option_name("save", dashes_));
-  refuse_to_replace(outputs(), output);
+  refuse_to_replace(outputs(), output, dashes_);
   warn_if_doubtful(job_.run.technique, subject.framework, log);
 }
 

@@ -21,7 +21,7 @@ void number_walkers(Job& job);
 
 class RunJob {
  public:
-  /// Of numbered walkers, before a molecule is read: reads the force file, which may say how.
+  /// Reads the force file, which may say how a molecule is read. The walkers have their numbers.
   /// `dashes`: prefix of an option's name in messages. Throws OptionError for options that exclude
   /// each other and for outputs that are inputs, and as take_force_header() does.
   RunJob(Job job, std::string_view dashes);

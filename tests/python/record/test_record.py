@@ -119,7 +119,7 @@ def test_two_threads_record_what_one_does(tmp_path):
 def test_an_existing_file_is_kept(tmp_path):
     path = tmp_path / "out.h5md"
     path.write_text("precious")
-    with pytest.raises(pliant.FileError, match="exists already"):
+    with pytest.raises(pliant.FileError, match="exists; overwrite=True replaces it"):
         pliant.run(WATER, output=path, steps=1)
     with pytest.raises(pliant.OptionError, match="steps = -1"):
         pliant.run(WATER, output=path, steps=-1, overwrite=True)

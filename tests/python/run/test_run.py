@@ -61,7 +61,7 @@ def test_forces_are_recorded_only_where_a_file_can_hold_them(tmp_path):
         pliant.run(RING, SHAPE, steps=1, record_forces=file, observers=[_raise_enough])
     assert not file.exists()
     file.write_text("mine")
-    with pytest.raises(pliant.FileError, match="exists already"):
+    with pytest.raises(pliant.FileError, match="exists; overwrite=True replaces it"):
         pliant.run(RING, SHAPE, tmp_path / "o.h5md", steps=1, record_forces=file)
     assert file.read_text() == "mine"
     assert not (tmp_path / "o.h5md").exists()

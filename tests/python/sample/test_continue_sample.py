@@ -53,7 +53,7 @@ def test_what_cannot_go_on_is_reported(peptide, tmp_path):
     with pytest.raises(pliant.OptionError, match="threads = 0: must be from 1"):
         pliant.continue_sample(path, 5, threads=0)
     assert pliant.continue_sample(path).frames == 0
-    with pytest.raises(pliant.InputError, match="holds frames of a sample: .* and continue_sample go on"):
+    with pytest.raises(pliant.InputError, match="holds frames of a sample: pliant sample"):
         pliant.continue_run(path, 5)
     pliant.run(peptide, output=tmp_path / "run.h5md", steps=2)
     with pytest.raises(

@@ -107,7 +107,7 @@ class Subject:
         self._projections.append(projections / steps)
 
     def _go_on(self, steps: int) -> pliant.RunSummary:
-        summary = pliant.run(
+        summary: pliant.RunResult = pliant.run(
             self._framework,
             self._state,
             steps=steps,

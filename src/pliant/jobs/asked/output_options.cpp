@@ -198,12 +198,14 @@ void settle(OutputOptions& options) {
   if (is_there(path_of(options.commits))) options.record.overwrite = true;
 }
 
-void refuse_to_replace(const std::vector<std::string>& outputs, const OutputOptions& options) {
+void refuse_to_replace(const std::vector<std::string>& outputs, const OutputOptions& options,
+                       std::string_view dashes) {
   if (options.record.overwrite) return;
   std::error_code error;
   for (const std::string& output : outputs)
     if (!output.empty() && fs::is_regular_file(path_of(output), error))
-      throw FileError(printable_name(output) + ": exists; --overwrite replaces it");
+      throw FileError(printable_name(output) + ": exists; " +
+                      (dashes.empty() ? "overwrite=True" : "--overwrite") + " replaces it");
 }
 
 bool is_pdb_name(const std::string& output) {

@@ -37,8 +37,10 @@ void settle(OutputOptions& options);
 void refuse_same_files(const std::vector<std::string>& inputs,
                        const std::vector<std::string>& outputs);
 
-/// Throws FileError for an output that is there, unless it may be replaced.
-void refuse_to_replace(const std::vector<std::string>& outputs, const OutputOptions& options);
+/// Throws FileError for an output that is there, unless it may be replaced. `dashes`: prefix of an
+/// option's name in messages; scripts have none.
+void refuse_to_replace(const std::vector<std::string>& outputs, const OutputOptions& options,
+                       std::string_view dashes = "--");
 
 /// "out.h5md: is not there", and what its writer has left beside it if it was ended before the
 /// first frame was whole.
