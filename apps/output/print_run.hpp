@@ -8,7 +8,7 @@
 #include "options/imd_settings.hpp"
 #include "options/job_options.hpp"
 #include "output/guide_end.hpp"
-#include "pliant/jobs/replay/replayed_header.hpp"
+#include "pliant/jobs/replayed_header.hpp"
 #include "pliant/run/run.hpp"
 
 namespace pliant::app {

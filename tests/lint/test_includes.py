@@ -35,6 +35,7 @@ MAY_INCLUDE = {
         "molecule",
         "model",
         "order",
+        "resolve",
         "perturb",
         "conformers",
         "sample",
@@ -61,7 +62,7 @@ WINGS = {
     "resolve/bodies": ("tree", "near", "pull", "outward", "region"),
     "conformers": ("rings", "torsions", "strain", "choice"),
     "sample": ("network", "turns", "pocket"),
-    "jobs": ("asked", "replay", "files"),
+    "jobs": ("asked", "files"),
     "lab": ("examples", "generate", "test_sets"),
     "record": ("hdf5", "h5md", "xml"),
 }

@@ -10,7 +10,7 @@
 #include "option_fields.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
-#include "pliant/jobs/recorded_sample.hpp"
+#include "pliant/jobs/sample_checkpoint.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/selection.hpp"
 

@@ -9,7 +9,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/base/version.hpp"
-#include "pliant/jobs/files/recorded_run.hpp"
+#include "pliant/jobs/files/run_checkpoint.hpp"
 #include "pliant/jobs/run_outputs.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 

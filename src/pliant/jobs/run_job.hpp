@@ -9,7 +9,7 @@
 
 #include "pliant/base/log.hpp"
 #include "pliant/jobs/job.hpp"
-#include "pliant/jobs/replay/replayed_header.hpp"
+#include "pliant/jobs/replayed_header.hpp"
 #include "pliant/jobs/run_watch.hpp"
 #include "pliant/record/h5md/h5md_header.hpp"
 

@@ -13,25 +13,25 @@ namespace pliant {
 namespace {
 
 /// Records the pushes of a walker, or nothing.
-std::optional<ForceRecorder> force_recorder(const RecordedJob& recorded, std::int64_t walker) {
-  const Job& job = recorded.job;
+std::optional<ForceRecorder> force_recorder(const RunToRecord& run, std::int64_t walker) {
+  const Job& job = run.job;
   const std::string& name = job.walkers.record_forces;
   if (name.empty()) return {};
   // Such a run may go on for days.
   const bool is_counted = job.is_live && replayed_steps(job.run) == 0;
-  ForceHeader header = force_header_of(job.molecule, recorded.subject);
+  ForceHeader header = force_header_of(job.molecule, run.subject);
   return std::optional<ForceRecorder>(std::in_place, path_of(of_walker(job.walkers, name, walker)),
-                                      job.output.record.overwrite, recorded.subject.framework,
+                                      job.output.record.overwrite, run.subject.framework,
                                       force_file_of(job.run, std::move(header), is_counted),
                                       is_counted ? std::optional(longest_live_step) : std::nullopt);
 }
 
 /// One topology serves all walkers.
-void write_topology(const RecordedJob& recorded) {
-  const RunSubject& subject = recorded.subject;
-  if (recorded.job.output.topology == no_topology) return;
-  write_topology(recorded.job.output.topology, subject.framework,
-                 molecule_header(*subject.structure), subject.start, recorded.job.output.record);
+void write_topology(const RunToRecord& run) {
+  const RunSubject& subject = run.subject;
+  if (run.job.output.topology == no_topology) return;
+  write_topology(run.job.output.topology, subject.framework, molecule_header(*subject.structure),
+                 subject.start, run.job.output.record);
 }
 
 }  // namespace
@@ -60,15 +60,15 @@ struct RunOutputs::Walker {
   std::int64_t last_step = 0;
 
   Walker(RunOutputs& all, std::int64_t walker)
-      : outputs(all), number(walker), forces(force_recorder(all.recorded_, walker)) {
-    const Job& job = all.recorded_.job;
+      : outputs(all), number(walker), forces(force_recorder(all.run_, walker)) {
+    const Job& job = all.run_.job;
     if (!all.sequence_ && !job.output.output.empty()) trajectory.emplace(all.trajectory_of(walker));
     if (all.commits_)
       committed.emplace(*all.commits_, walker, job.output.commit_seconds, job.run, kept);
   }
 
   bool keeps_forces() const {
-    return !outputs.recorded_.keeps_forces_if_pulled || outputs.watch_.was_pulled();
+    return !outputs.run_.keeps_forces_if_pulled || outputs.watch_.was_pulled();
   }
 
   bool record(const Frame& frame) {
@@ -105,12 +105,12 @@ struct RunOutputs::Walker {
   }
 };
 
-RunOutputs::RunOutputs(RecordedJob recorded, const RunWatch& watch, Log log)
-    : recorded_(std::move(recorded)), watch_(watch), log_(std::move(log)) {
-  const Job& job = recorded_.job;
+RunOutputs::RunOutputs(RunToRecord run, const RunWatch& watch, Log log)
+    : run_(std::move(run)), watch_(watch), log_(std::move(log)) {
+  const Job& job = run_.job;
   if (!job.output.commits.empty()) {
-    const auto key = key_of_run(recorded_.subject.framework, recorded_.subject.start,
-                                recorded_.header_of(0).parameters);
+    const auto key =
+        key_of_run(run_.subject.framework, run_.subject.start, run_.header_of(0).parameters);
     commits_ = std::make_unique<CommitLog>(path_of(job.output.commits), key, log_);
   }
   if (job.walkers.one_file)
@@ -119,8 +119,8 @@ RunOutputs::RunOutputs(RecordedJob recorded, const RunWatch& watch, Log log)
 }
 
 FrameOutput RunOutputs::trajectory_of(std::int64_t walker) const {
-  return {output_of(recorded_.job, walker), recorded_.subject.framework,
-          recorded_.header_of(walker), recorded_.job.output.record};
+  return {output_of(run_.job, walker), run_.subject.framework, run_.header_of(walker),
+          run_.job.output.record};
 }
 
 void RunOutputs::add_steps(std::int64_t steps) {
@@ -131,8 +131,8 @@ void RunOutputs::add_steps(std::int64_t steps) {
 
 Watchers RunOutputs::watchers_of(std::int64_t walker) {
   const auto files = std::make_shared<Walker>(*this, walker);
-  const bool is_first = walker == recorded_.job.walkers.first;
-  if (is_first) write_topology(recorded_);
+  const bool is_first = walker == run_.job.walkers.first;
+  if (is_first) write_topology(run_);
   Watchers watchers;
   watchers.observers = {[files](const Frame& frame) { return files->record(frame); }};
   if (watch_.observers_of)

@@ -24,7 +24,7 @@ std::string of_walker(const WalkersAsked& asked, const std::string& name, std::i
 std::string output_of(const Job& job, std::int64_t walker);
 
 /// What files and observers of a run need to know of it. All must outlive them.
-struct RecordedJob {
+struct RunToRecord {
   const Job& job;
   RunSubject subject;
   std::function<H5mdHeader(std::int64_t walker)> header_of;
@@ -34,7 +34,7 @@ struct RecordedJob {
 class RunOutputs {
  public:
   /// Opens what all walkers share. Throws as the recorders do.
-  RunOutputs(RecordedJob recorded, const RunWatch& watch, Log log);
+  RunOutputs(RunToRecord run, const RunWatch& watch, Log log);
 
   /// Opens the files of a walker, which goes on from its last commit. Throws as the recorders do.
   Watchers watchers_of(std::int64_t walker);
@@ -47,7 +47,7 @@ class RunOutputs {
   FrameOutput trajectory_of(std::int64_t walker) const;
   void add_steps(std::int64_t steps);
 
-  RecordedJob recorded_;
+  RunToRecord run_;
   const RunWatch& watch_;
   Log log_;
   std::unique_ptr<WalkerSequence> sequence_;  ///< of one file for all; else null

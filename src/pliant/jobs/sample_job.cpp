@@ -14,7 +14,7 @@
 #include "pliant/jobs/files/committed_walker.hpp"
 #include "pliant/jobs/files/frame_output.hpp"
 #include "pliant/jobs/files/molecule_header.hpp"
-#include "pliant/jobs/recorded_sample.hpp"
+#include "pliant/jobs/sample_checkpoint.hpp"
 #include "pliant/model/prepare/largest_molecule.hpp"
 #include "pliant/molecule/drawing.hpp"
 #include "pliant/molecule/selection.hpp"

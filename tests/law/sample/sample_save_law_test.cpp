@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "law/sample/sample_cases.hpp"
-#include "pliant/jobs/recorded_sample.hpp"
+#include "pliant/jobs/sample_checkpoint.hpp"
 #include "support/temp_directory.hpp"
 #include "unit/record/recorded_runs.hpp"
 

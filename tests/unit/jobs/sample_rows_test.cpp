@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "pliant/jobs/recorded_sample.hpp"
+#include "pliant/jobs/sample_checkpoint.hpp"
 #include "pliant/jobs/sample_task.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "support/frameworks.hpp"

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "pliant/jobs/files/recorded_run.hpp"
+#include "pliant/jobs/files/run_checkpoint.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/recorded_sample.hpp"
+#include "pliant/jobs/sample_checkpoint.hpp"
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"

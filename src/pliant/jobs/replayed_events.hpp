@@ -2,7 +2,7 @@
 // pliant run --forces with a file of events: options that are allowed with it, and its settings.
 #pragma once
 
-#include "pliant/jobs/replay/replayed_header.hpp"
+#include "pliant/jobs/replayed_header.hpp"
 
 namespace pliant {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/files/recorded_run.hpp"
+#include "pliant/jobs/files/run_checkpoint.hpp"
 
 #include <algorithm>
 #include <memory>

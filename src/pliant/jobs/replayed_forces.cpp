@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/replay/replayed_forces.hpp"
+#include "pliant/jobs/replayed_forces.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "pliant/base/number.hpp"
 #include "pliant/base/printable.hpp"
-#include "pliant/jobs/replay/replayed_events.hpp"
-#include "pliant/jobs/replay/replayed_header.hpp"
+#include "pliant/jobs/replayed_events.hpp"
+#include "pliant/jobs/replayed_header.hpp"
 #include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/run/run_fields.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/replay/replayed_header.hpp"
+#include "pliant/jobs/replayed_header.hpp"
 
 #include <algorithm>
 #include <filesystem>

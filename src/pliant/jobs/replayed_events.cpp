@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/replay/replayed_events.hpp"
+#include "pliant/jobs/replayed_events.hpp"
 
 #include <algorithm>
 

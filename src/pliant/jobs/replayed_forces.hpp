@@ -2,7 +2,7 @@
 // pliant run --forces: the pushes or events of a force file, and the options allowed with them.
 #pragma once
 
-#include "pliant/jobs/replay/replayed_header.hpp"
+#include "pliant/jobs/replayed_header.hpp"
 
 namespace pliant {
 

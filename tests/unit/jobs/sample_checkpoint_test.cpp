@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/recorded_sample.hpp"
+#include "pliant/jobs/sample_checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "unit/record/samples.hpp"
 
 namespace pliant {
-namespace recorded_sample_test {
+namespace sample_checkpoint_test {
 
 using test::Peptide;
 
@@ -51,10 +51,10 @@ void record_sample(const std::filesystem::path& path, const Peptide& from,
   recorder.close();
 }
 
-class RecordedSample : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Samplers, RecordedSample, testing::Values("modes", "dilute"));
+class SampleCheckpoint : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Samplers, SampleCheckpoint, testing::Values("modes", "dilute"));
 
-TEST_P(RecordedSample, GoesOnAsIfItHadNeverStopped) {
+TEST_P(SampleCheckpoint, GoesOnAsIfItHadNeverStopped) {
   const test::TempDirectory folder;
   const Peptide from = held_peptide();
   SampleOptions options = options_for(GetParam());
@@ -74,7 +74,7 @@ TEST_P(RecordedSample, GoesOnAsIfItHadNeverStopped) {
   test::expect_same_file(folder / "whole.h5md", folder / "part.h5md");
 }
 
-TEST(RecordedSample, WhatIsRecordedIsReadBack) {
+TEST(SampleCheckpoint, WhatIsRecordedIsReadBack) {
   const test::TempDirectory folder;
   const Peptide from = held_peptide();
   const SampleOptions options = options_for("dilute");
@@ -92,7 +92,7 @@ TEST(RecordedSample, WhatIsRecordedIsReadBack) {
   EXPECT_EQ(again.contact_energy, options.contact_energy);
 }
 
-TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {
+TEST(SampleCheckpoint, FramesOfOtherBitsAreNotAddedTo) {
   const test::TempDirectory folder;
   const Peptide from = held_peptide();
   record_sample(folder / "a.h5md", from, options_for("modes"), 7);
@@ -108,7 +108,7 @@ TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {
   EXPECT_EQ(H5mdReader(folder / "a.h5md").frames(), 7);
 }
 
-TEST(RecordedSample, ParametersThatAreNoneAreTold) {
+TEST(SampleCheckpoint, ParametersThatAreNoneAreTold) {
   H5mdCheckpoint from;
   from.path = "a.h5md";
   from.last_step = 3;
@@ -130,5 +130,5 @@ TEST(RecordedSample, ParametersThatAreNoneAreTold) {
   EXPECT_EQ(fault(), "a.h5md: its sample cannot go on: does not say /parameters/sample/frames");
 }
 
-}  // namespace recorded_sample_test
+}  // namespace sample_checkpoint_test
 }  // namespace pliant
