@@ -21,7 +21,7 @@ constexpr double longest_timeout = 1e9;
 template <auto Member>
 constexpr auto at = place_at<ImdSettings, Member>;
 
-const OptionField<ImdSettings> table[] = {
+constexpr OptionField<ImdSettings> table[] = {
     {{.name = "imd_host",
       .summary = "accept clients from other machines; IMD has no passwords",
       .kind = "HOST"},

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 
 #include "messages.hpp"
 #include "options/option_fields.hpp"
@@ -112,7 +111,9 @@ void take_member(CommandLine& line, Job& job, const std::string& name, const Jso
 }
 
 std::string standard_input() {
-  return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  std::string text;
+  for (int c = std::getchar(); c != EOF; c = std::getchar()) text += static_cast<char>(c);
+  return text;
 }
 
 }  // namespace

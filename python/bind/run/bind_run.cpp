@@ -332,8 +332,12 @@ std::string signature() {
 
 std::string run_doc() {
   Job usual = usual_job("run");
-  return doc_of_run + argument_docs(output_fields(), OutputOptions()) + argument_docs_of_moves() +
-         argument_docs(bars_fields(), BarsAsked()) +
+  std::string text = doc_of_run;
+  for (const auto& field : output_fields()) {
+    if (field.users.python) text += argument_doc(field, field.place(usual.output));
+    if (field.name == "output") text += argument_docs_of_moves();
+  }
+  return text + argument_docs(bars_fields(), BarsAsked()) +
          argument_doc(select_row(), &usual.molecule.input.select) +
          argument_doc(forces_row(), &usual.walkers.record_forces) + doc_of_guide + doc_of_refusals;
 }

@@ -36,9 +36,9 @@ constexpr OptionFacts go_on_facts(std::string_view group, std::string_view summa
           .kind = "FILE",
           .users = {.python = false, .page = false, .file = false}};
 }
-const OptionFacts sample_goes_on = go_on_facts(
+constexpr OptionFacts sample_goes_on = go_on_facts(
     "Sampling", "continue this trajectory, up to --frames in total, as if it had never stopped");
-const OptionFacts run_goes_on = go_on_facts(
+constexpr OptionFacts run_goes_on = go_on_facts(
     "Run", "continue this trajectory, up to --steps in total, as if it had never stopped");
 
 void add_go_on(Rows& rows, const OptionFacts& facts) {

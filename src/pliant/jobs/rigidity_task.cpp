@@ -16,7 +16,7 @@ constexpr std::string_view group = "Counting";
 template <auto Member>
 constexpr auto at = place_at<RigidityAsked, Member>;
 
-const OptionField<RigidityAsked> table[] = {
+constexpr OptionField<RigidityAsked> table[] = {
     {{.name = "hbond_bars",
       .group = group,
       .summary = "how many freedoms a hydrogen bond or salt bridge removes",

@@ -13,7 +13,7 @@ constexpr PathAtoms table_of_atoms[] = {
 template <auto Member>
 constexpr auto at = place_at<PathOptions, Member>;
 
-const OptionField<PathOptions> table[] = {
+constexpr OptionField<PathOptions> table[] = {
     {{.name = "atoms",
       .summary = "which atoms have to reach END: one per residue, or all but H",
       .choices = [] { return names_of(path_atoms()); },

@@ -22,7 +22,7 @@ constexpr std::string_view run_group = "Run";
 constexpr std::string_view technique_group = "Technique";
 constexpr std::string_view perturbation_group = "Perturbation";
 
-const RunField table[] = {
+constexpr RunField table[] = {
     {{.name = "steps",
       .group = run_group,
       .summary = "number of steps",

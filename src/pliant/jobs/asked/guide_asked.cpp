@@ -20,7 +20,7 @@ constexpr double most_modes = 60;
 template <auto Member>
 constexpr auto at = place_at<GuideAsked, Member>;
 
-const OptionField<GuideAsked> table[] = {
+constexpr OptionField<GuideAsked> table[] = {
     {{.name = "rock",
       .group = group,
       .summary = "rock back and forth along this mode of the elastic network, counted from 1",

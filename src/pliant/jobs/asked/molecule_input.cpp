@@ -23,7 +23,7 @@ constexpr std::string_view group = "Bars";
 template <auto Member>
 constexpr auto at = place_at<BarsAsked, Member>;
 
-const OptionField<BarsAsked> table[] = {
+constexpr OptionField<BarsAsked> table[] = {
     {{.name = "bars",
       .group = group,
       .summary = "bars: bonds, angles (bonds, angles and planar groups), none, or a bars file "

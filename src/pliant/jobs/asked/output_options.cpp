@@ -27,7 +27,7 @@ constexpr auto at = place_at<OutputOptions, Members...>;
 
 constexpr auto record = &OutputOptions::record;
 
-const OptionField<OutputOptions> table[] = {
+constexpr OptionField<OutputOptions> table[] = {
     {{.name = "output",
       .letter = 'o',
       .group = group,

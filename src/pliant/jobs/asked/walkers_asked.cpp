@@ -16,7 +16,7 @@ constexpr std::int64_t most_walkers = 1'000'000;
 template <auto Member>
 constexpr auto at = place_at<WalkersAsked, Member>;
 
-const OptionField<WalkersAsked> table[] = {
+constexpr OptionField<WalkersAsked> table[] = {
     {{.name = "walkers",
       .group = run_group,
       .summary = "independent copies, each with its own output",
