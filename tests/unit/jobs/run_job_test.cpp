@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/jobs/run_job.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pliant/jobs/continued_run.hpp"
+#include "pliant/jobs/run_outputs.hpp"
+#include "pliant/lab/examples/examples.hpp"
+#include "pliant/run/run.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+#include "support/temp_directory.hpp"
+#include "unit/record/recorded_runs.hpp"
+
+namespace pliant {
+namespace run_job_test {
+
+Job job_of(std::int64_t steps, const std::string& technique = "auto") {
+  Job job = usual_job("run");
+  job.run.technique.name = technique;
+  job.run.steps = steps;
+  job.run.every = 4;
+  job.run.perturb = "displacement";
+  job.output.topology = no_topology;
+  job.walkers.threads = 2;
+  return job;
+}
+
+RunSubject subject_of(const Framework& framework, const Sketch& sketch) {
+  RunSubject subject{framework, sketch.positions};
+  subject.is_given = true;
+  return subject;
+}
+
+TEST(RunJob, AWalkerMakesTheFramesOfTheLibrary) {
+  for (const Sketch& sketch : {chain(12), ring(8)})
+    for (const char* technique : {"auto", "bfs_cycle", "random", "shake"}) {
+      SCOPED_TRACE(technique);
+      const Framework framework = framework_of(sketch);
+      RunJob job(job_of(13, technique), "");
+      job.take(subject_of(framework, sketch), {});
+      State ours(sketch.positions), theirs(sketch.positions);
+      std::vector<std::int64_t> steps;
+      RunWatch watch;
+      watch.observers_of = [&](std::int64_t) {
+        return std::vector<Observer>{[&](const Frame& frame) {
+          steps.push_back(frame.step);
+          return false;
+        }};
+      };
+      const RunSummary summary = job.run_alone(ours, watch);
+      run(framework, theirs, job.job().run, {});
+      EXPECT_EQ(steps, (std::vector<std::int64_t>{0, 4, 8, 12, 13}));
+      EXPECT_EQ(summary.steps, 13);
+      EXPECT_EQ(ours.positions, theirs.positions);
+    }
+}
+
+TEST(RunJob, WalkersGoOnFromTheirFilesAsIfTheyHadNeverStopped) {
+  const test::TempDirectory folder;
+  const Sketch sketch = chain(12);
+  const Framework framework = framework_of(sketch);
+  const auto record = [&](const char* name, std::int64_t steps) {
+    Job job = job_of(steps);
+    job.walkers.walkers = 3;
+    job.output.output = (folder / name).string();
+    RunJob run(job, "--");
+    run.take(subject_of(framework, sketch), {});
+    run.run(State(sketch.positions), {});
+    return run.job();
+  };
+  const Job whole = record("whole.h5md", 21);
+  Job part = record("part.h5md", 10);
+  std::filesystem::remove(output_of(part, 1));  // as if it had never begun
+  part.go_on = part.output.output;
+  ContinuedRun continued(part, 21, "--", {});
+  const std::vector<RunSummary> summaries = continued.run({});
+  EXPECT_EQ(summaries[0].frames, 4);  // 12, 16, 20 and 21; that of step 10 makes way
+  for (std::int64_t walker = 0; walker < 3; ++walker)
+    test::expect_same_file(output_of(whole, walker), output_of(part, walker));
+}
+
+TEST(RunJob, OptionsThatExcludeEachOtherAreRefused) {
+  const auto refusal = [](auto change) {
+    Job job = job_of(5);
+    change(job);
+    return test::error_text<OptionError>([&] { number_walkers(job); });
+  };
+  EXPECT_EQ(refusal([](Job& job) { job.walkers.one_file = true; }),
+            "--one-file: is for several walkers; give --walkers or --shard");
+  EXPECT_EQ(refusal([](Job& job) { job.output.commits = "c"; }),
+            "--commits: goes with --one-file; other trajectories have --continue");
+  EXPECT_EQ(refusal([](Job& job) { job.given = {"period"}; }), "--period: goes with --rock");
+  EXPECT_EQ(refusal([](Job& job) {
+              job.is_live = true;
+              job.walkers.walkers = 2;
+            }),
+            "--imd: follows one walker, not several");
+}
+
+TEST(RunJob, AForceFileHoldsOneForceAStep) {
+  const Sketch sketch = chain(5);
+  const Framework framework = framework_of(sketch);
+  Job job = job_of(5);
+  job.walkers.record_forces = "f.txt";
+  for (const auto& [dashes, text] :
+       {std::pair{"--",
+                  "--record-forces: a force file holds one force on one joint a step, which "
+                  "displacement is not; use --perturb force"},
+        std::pair{"",
+                  "record_forces: a force file holds one force on one joint a step, which "
+                  "displacement is not; use perturb=\"force\""}}) {
+    RunJob run(job, dashes);
+    EXPECT_EQ(test::error_text<OptionError>([&] { run.take(subject_of(framework, sketch), {}); }),
+              text);
+  }
+}
+
+}  // namespace run_job_test
+}  // namespace pliant
