@@ -75,7 +75,7 @@ def test_a_file_without_a_checkpoint_is_reported(pliant, ethanol, tmp_path):
     assert ended.code == 1
     assert ended.err == (
         "pliant: error: o.h5md: has no checkpoint, so that its run cannot go on: it was written "
-        "by another program, by Pliant before 0.3.0, or not by a run\n"
+        "by another program, or not by a run\n"
     )
 
 

@@ -33,8 +33,8 @@ class CheckpointReader {
     if (!has_object(file_, "/parameters") || !has_object(file_, checkpoint::group) ||
         (!has_object(file_, checkpoint::state) && !has_object(file_, checkpoint::nodes)))
       throw InputError(
-          "has no checkpoint, so that its run cannot go on: it was written by another program, by "
-          "Pliant before 0.3.0, or not by a run");
+          "has no checkpoint, so that its run cannot go on: it was written by another program, or "
+          "not by a run");
     if (reader_.frames() == 0) throw InputError("has no frame, so that its run cannot go on");
     check_series();
     read_framework();

@@ -70,7 +70,7 @@ class FrameSeries {
   std::uint64_t waiting_frames_ = 0;
   std::vector<Series> positions_;    // value, time, step
   std::vector<Series> observables_;  // (rows)
-  std::optional<Series> states_;     // of contacts; none without limits, and in files before 0.3.0
+  std::optional<Series> states_;     // of contacts; none without limits
 };
 
 }  // namespace pliant

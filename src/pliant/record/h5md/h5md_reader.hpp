@@ -66,7 +66,7 @@ class H5mdReader {
   std::vector<double> masses() const;              ///< (N) u; empty where the file has none
   std::vector<Joint> pinned() const;
   std::vector<Limit> limits() const;  ///< (L); empty where the file has none
-  /// Version of our own part of the file: 1 (to version 0.1.0) or 2, which may have limits.
+  /// Version of our own part of the file: 2, which may have limits; 1 where it says none.
   int schema() const;
   std::vector<RecordedBond> bonds() const;
   std::vector<std::string> bond_origin_names() const;
