@@ -149,20 +149,22 @@ void add_job_options(CommandLine& line, Job& job) {
 
 void take_job_file(CommandLine& line, Job& job, const std::string& file) {
   if (file.empty()) return;
-  const std::string text = file == "-" ? standard_input() : read_bytes(path_of(file));
-  for (const auto& [name, value] : members_of(text, file)) {
+  const bool is_piped = file == "-";
+  const std::string text = is_piped ? standard_input() : read_bytes(path_of(file));
+  const std::string said = is_piped ? "standard input" : file;
+  for (const auto& [name, value] : members_of(text, said)) {
     if (name == "task") {
       if (value != JsonMember(job.task))
-        throw InputError(file + ": task: expected \"" + job.task + "\"");
+        throw InputError(said + ": task: expected \"" + job.task + "\"");
     } else if (name == "input") {
-      if (!line.was_given("input")) std::visit(Put{name, file, &job.molecule.input.file}, value);
+      if (!line.was_given("input")) std::visit(Put{name, said, &job.molecule.input.file}, value);
       line.note_given("input");
     } else {
-      take_member(line, job, name, value, file);
+      take_member(line, job, name, value, said);
     }
   }
   if (job.molecule.input.file.empty() && job.go_on.empty())
-    throw InputError(file + ": input: expected the name of a file");
+    throw InputError(said + ": input: expected the name of a file");
 }
 
 void note_given(const CommandLine& line, Job& job) {

@@ -139,6 +139,8 @@ std::string argument_doc(const OptionFacts& facts, OptionPlace place) {
     text.insert(at + 1, "    ");
   std::string type = type_of(facts, place) + (facts.unset_means.empty() ? "" : " | None");
   if (type == names_type) type = "sequence of str";
+  if (const auto at = type.find("str | os.PathLike[str]"); at != type.npos)
+    type.replace(at, 22, "str or path");
   if (type.ends_with(" | None")) type = type.substr(0, type.size() - 7) + ", optional";
   return std::string(facts.name) + " : " + type + "\n    " + text + "\n";
 }

@@ -39,7 +39,9 @@ constexpr RunField table[] = {
       .group = technique_group,
       .summary = "how bars are made whole (see pliant techniques)",
       .choices = [] { return names_of(techniques()); },
-      .kind = "technique"},
+      .kind = "technique",
+      .in_python = "How bars are made whole, by name (``techniques()``); or a function (positions, "
+                   "sweep,\nframework) that makes one sweep, recorded as ``custom``."},
      at<technique, &Technique::name>},
     {{.name = "weighting",
       .group = technique_group,
