@@ -104,7 +104,7 @@ int begin(const CommandLine& line, RunSettings& settings) {
   const bool asks_for_topology = !asked.output.topology.empty();
   check_imd(line, settings.imd);
   asked.is_live = settings.imd.is_asked;
-  number_walkers(asked);
+  settle_walkers(asked);
   name_outputs(asked.output, asked.molecule.input.file, asked.walkers.first == 0);
   RunJob job(asked, "--");
   Messages messages(settings.printing.json || settings.printing.quiet);

@@ -14,7 +14,7 @@ namespace pliant::app {
 int continue_run(const CommandLine& line, RunSettings& settings) {
   check_imd(line, settings.imd);
   settings.job.is_live = settings.imd.is_asked;
-  number_walkers(settings.job);
+  settle_walkers(settings.job);
   if (settings.imd.is_asked)
     throw OptionError("--imd: does not go with --continue, which adds to " + settings.job.go_on);
   Messages messages(settings.printing.json || settings.printing.quiet);

@@ -33,6 +33,8 @@ MOLECULE = Path(pliant.__file__).with_name("static") / "examples" / "peptide_20.
 #: letters of the longest bar
 BAR = 40
 
+FRAMES = 200  #: enough for errors of each number, in some seconds
+
 
 def make_parser() -> console.Parser:
     """The options of pliant demo."""
@@ -44,7 +46,8 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     text = "folder to write to (default: pliant-demo)"
     add("-o", "--output", metavar="DIR", default="pliant-demo", help=text)
-    add("--frames", metavar="N", type=int, default=200, help="number of frames (default: 200)")
+    text = f"number of frames (default: {FRAMES})"
+    add("--frames", metavar="N", type=int, default=FRAMES, help=text)
     add("--overwrite", action="store_true", help="replace what is in DIR")
     return parser
 

@@ -34,6 +34,11 @@ constexpr std::array<LimitKindEntry, numbers> table = [] {
 static_assert(std::none_of(table.begin(), table.end(),
                            [](const LimitKindEntry& row) { return row.name.empty(); }),
               "numbers of kinds of limits leave one out");
+static_assert(std::count_if(std::begin(named), std::end(named),
+                            [](const LimitKindEntry& row) {
+                              return row.kind == LimitKind::given || row.kind == LimitKind::torsion;
+                            }) == 2,
+              "a kind of contact has the number of `given` or `torsion`");
 
 }  // namespace
 

@@ -67,7 +67,7 @@ EnsembleOptions ensemble_of(const Job& job, const RunWatch& watch) {
 
 }  // namespace
 
-void number_walkers(Job& job) {
+void settle_walkers(Job& job) {
   check_guide(job);
   if (job.was_given("shard") && job.was_given("walkers"))
     throw OptionError("--shard: is given in place of --walkers, not together with it");

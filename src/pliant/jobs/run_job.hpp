@@ -17,7 +17,7 @@ namespace pliant {
 
 /// Sets the numbers of the walkers, and one thread for each core where nothing else is asked for.
 /// Throws OptionError for options that exclude each other.
-void number_walkers(Job& job);
+void settle_walkers(Job& job);
 
 class RunJob {
  public:

@@ -62,7 +62,7 @@ struct RunOutputs::Walker {
   Walker(RunOutputs& all, std::int64_t walker)
       : outputs(all), number(walker), forces(force_recorder(all.run_, walker)) {
     const Job& job = all.run_.job;
-    if (!all.sequence_ && !job.output.output.empty()) trajectory.emplace(all.trajectory_of(walker));
+    if (!all.one_file_ && !job.output.output.empty()) trajectory.emplace(all.trajectory_of(walker));
     if (all.commits_)
       committed.emplace(*all.commits_, walker, job.output.commit_seconds, job.run, kept);
   }
@@ -73,7 +73,7 @@ struct RunOutputs::Walker {
 
   bool record(const Frame& frame) {
     if (trajectory) trajectory->record(frame);
-    if (outputs.sequence_) kept.add(frame);
+    if (outputs.one_file_) kept.add(frame);
     outputs.add_steps(frame.step - last_step);
     last_step = frame.step;
     return outputs.watch_.stops();
@@ -99,8 +99,8 @@ struct RunOutputs::Walker {
       trajectory->end_run(state);
       trajectory->close();
     }
-    if (outputs.sequence_ && !summary.stopped_by_caller)
-      outputs.sequence_->end(number, std::move(kept));
+    if (outputs.one_file_ && !summary.stopped_by_caller)
+      outputs.one_file_->end(number, std::move(kept));
     if (forces && keeps_forces()) forces->publish();
   }
 };
@@ -114,8 +114,8 @@ RunOutputs::RunOutputs(RunToRecord run, const RunWatch& watch, Log log)
     commits_ = std::make_unique<CommitLog>(path_of(job.output.commits), key, log_);
   }
   if (job.walkers.one_file)
-    sequence_ =
-        std::make_unique<WalkerSequence>(trajectory_of(job.walkers.first), job.walkers.first);
+    one_file_ =
+        std::make_unique<OneFileOutput>(trajectory_of(job.walkers.first), job.walkers.first);
 }
 
 FrameOutput RunOutputs::trajectory_of(std::int64_t walker) const {
@@ -150,7 +150,7 @@ Watchers RunOutputs::watchers_of(std::int64_t walker) {
 }
 
 void RunOutputs::close(bool is_stopped) {
-  if (sequence_) sequence_->close();
+  if (one_file_) one_file_->close();
   if (commits_ && !is_stopped) commits_->remove();
 }
 

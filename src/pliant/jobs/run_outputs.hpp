@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "pliant/jobs/files/commit_log.hpp"
-#include "pliant/jobs/files/walker_sequence.hpp"
+#include "pliant/jobs/files/one_file_output.hpp"
 #include "pliant/jobs/job.hpp"
 #include "pliant/jobs/run_watch.hpp"
 #include "pliant/run/ensemble.hpp"
@@ -50,8 +50,8 @@ class RunOutputs {
   RunToRecord run_;
   const RunWatch& watch_;
   Log log_;
-  std::unique_ptr<WalkerSequence> sequence_;  ///< of one file for all; else null
-  std::unique_ptr<CommitLog> commits_;        ///< null: none are kept
+  std::unique_ptr<OneFileOutput> one_file_;  ///< of one file for all; else null
+  std::unique_ptr<CommitLog> commits_;       ///< null: none are kept
   std::mutex counting_;
   std::int64_t steps_done_ = 0;  ///< under the mutex
 };

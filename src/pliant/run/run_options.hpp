@@ -25,7 +25,6 @@ struct Onlooker {
 };
 
 /// What a run does. Checked once, at its start.
-/// Options of a run. Checked once, at its start.
 struct RunOptions {
   Technique technique = {};
   ResolveOptions resolve = {};    ///< its seed and walker are those of the whole run
@@ -53,7 +52,6 @@ struct RunOptions {
 std::int64_t replayed_steps(const RunOptions& options);
 
 /// One of several walkers that run together.
-/// is moved
 struct WalkerRun {
   State& state;              ///< stepped on
   std::uint64_t number = 0;  ///< replaces RunOptions::resolve.walker

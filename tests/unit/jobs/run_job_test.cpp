@@ -84,7 +84,7 @@ TEST(RunJob, OptionsThatExcludeEachOtherAreRefused) {
   const auto refusal = [](auto change) {
     Job job = job_of(5);
     change(job);
-    return test::error_text<OptionError>([&] { number_walkers(job); });
+    return test::error_text<OptionError>([&] { settle_walkers(job); });
   };
   EXPECT_EQ(refusal([](Job& job) { job.walkers.one_file = true; }),
             "--one-file: is for several walkers; give --walkers or --shard");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/jobs/files/walker_sequence.hpp"
+#include "pliant/jobs/files/one_file_output.hpp"
 
 #include <utility>
 
 namespace pliant {
 
-void WalkerSequence::write(const KeptFrames& frames) {
+void OneFileOutput::write(const KeptFrames& frames) {
   for (std::size_t k = 0; k < frames.size(); ++k) {
     Frame frame = frames[k];
     frame.walker = next_;
@@ -13,7 +13,7 @@ void WalkerSequence::write(const KeptFrames& frames) {
   }
 }
 
-void WalkerSequence::end(std::int64_t walker, KeptFrames frames) {
+void OneFileOutput::end(std::int64_t walker, KeptFrames frames) {
   waiting_.emplace(walker, std::move(frames));
   while (!waiting_.empty() && waiting_.begin()->first == next_) {
     write(waiting_.begin()->second);

@@ -12,9 +12,9 @@ namespace pliant {
 
 /// Writes walkers in the order of their numbers, so that the same run gives the same file with any
 /// number of threads. Calls must not overlap.
-class WalkerSequence {
+class OneFileOutput {
  public:
-  WalkerSequence(FrameOutput output, std::int64_t first)
+  OneFileOutput(FrameOutput output, std::int64_t first)
       : output_(std::move(output)), next_(first) {}
 
   /// Notes that the walker has ended. Throws as recorders do.
