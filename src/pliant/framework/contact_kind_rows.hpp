@@ -6,11 +6,12 @@
 //   PLIANT_CONTACT_KIND(name, number, finder, fields of MolecularContactKindEntry)
 //
 // The number is what files record limits of that kind as (LimitKind): a new kind takes the next one
-// that is free, 6 or more (0 is `given`, 3 is `torsion`), and none ever changes. Records do not distinguish kinds of one number.
-// The name, of 16 letters at most, is that of MolecularContactKind, of files and of options. Who
-// includes this defines PLIANT_CONTACT_KIND: what is made of a row. The rows are words and numbers,
-// and lie this low because readers and writers of limits need their names; functions are looked up
-// in model/contacts/contact_kinds.hpp alone.
+// that is free, 6 or more (0 is `given`, 3 is `torsion`), and none ever changes. Records do not
+// distinguish kinds of one number. The name, of 16 letters at most, is that of
+// MolecularContactKind, of files and of options. Who includes this defines PLIANT_CONTACT_KIND:
+// what is made of a row. The rows are words and numbers, and lie this low because readers and
+// writers of limits need their names; functions are looked up in model/contacts/contact_kinds.hpp
+// alone.
 #ifdef PLIANT_CONTACT_KIND
 
 PLIANT_CONTACT_KIND(hydrogen_bond, 1, find_hydrogen_bonds,  //
