@@ -87,7 +87,7 @@ void add_bonds(const CifDocument& document, const CifBlock& block, AtomSites& si
   if (const CifTable* table = block.table(component_bonds))
     add_component_bonds(document, *table, sites.structure);
   if (const CifTable* table = block.table(struct_conn))
-    add_stated_links(sites, struct_conn_links(document, *table, remarks), remarks);
+    add_stated_links(sites, struct_conn_links(document, *table, sites.altlocs, remarks), remarks);
   sort_bonds(sites.structure.bonds);
 }
 

@@ -107,7 +107,6 @@ class AtomSiteReader {
   std::unordered_map<std::string_view, std::uint32_t> instances_;
   std::string_view model_word_;
   std::size_t model_ = 0;
-  std::vector<std::string_view> conformers_;
   CifLines lines_;
   std::size_t line_ = 1;  // where the current row begins
 };
@@ -211,18 +210,17 @@ std::int64_t AtomSiteReader::serial(std::size_t row) {
   return serials.empty() ? 1 : serials.back() + 1;
 }
 
-/// A character for each alternate location: its own where it is one character, as in the PDB, and
-/// control characters for the others.
 char AtomSiteReader::conformer(std::size_t row) {
   const std::string_view word = this->word(row, columns_.conformer);
-  if (word.empty()) return ' ';
-  if (word.size() == 1) return word[0];
-  auto known = std::find(conformers_.begin(), conformers_.end(), word);
-  if (known == conformers_.end()) known = conformers_.insert(conformers_.end(), word);
-  constexpr std::ptrdiff_t most = 31;
-  if (known - conformers_.begin() >= most)
-    fail(place(row, columns_.conformer), "more than 31 alternate locations of several characters");
-  return static_cast<char>(1 + (known - conformers_.begin()));
+  auto& labels = sites_.altlocs;
+  if (word.size() > 1 && std::find(labels.begin(), labels.end(), word) == labels.end()) {
+    constexpr std::size_t most = 31;
+    if (labels.size() >= most)
+      fail(place(row, columns_.conformer),
+           "more than 31 alternate locations of several characters");
+    labels.push_back(word);
+  }
+  return altloc_character(word, labels);
 }
 
 float AtomSiteReader::occupancy(std::size_t row) {
@@ -293,6 +291,12 @@ std::string_view without_uncertainty(std::string_view text) {
   const bool all = !digits.empty() && std::all_of(digits.begin(), digits.end(),
                                                   [](char c) { return c >= '0' && c <= '9'; });
   return all ? text.substr(0, open) : text;
+}
+
+char altloc_character(std::string_view label, std::span<const std::string_view> labels) {
+  if (label.size() < 2) return label.empty() ? ' ' : label[0];
+  const auto known = std::find(labels.begin(), labels.end(), label);
+  return static_cast<char>(known == labels.end() ? 127 : 1 + (known - labels.begin()));
 }
 
 AtomSites read_atom_sites(const CifDocument& document, const CifTable& table, std::size_t wanted,

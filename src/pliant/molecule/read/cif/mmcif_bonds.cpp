@@ -9,6 +9,7 @@
 
 #include "pliant/base/letters.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/molecule/read/cif/mmcif_atoms.hpp"
 
 namespace pliant {
 namespace {
@@ -24,8 +25,13 @@ std::uint8_t order_of(std::string_view word) {
 /// Reads the rows of struct_conn.
 class StructConnReader {
  public:
-  StructConnReader(const CifDocument& document, const CifTable& table, Remarks& remarks)
-      : document_(document), table_(table), remarks_(remarks), lines_(document.text) {}
+  StructConnReader(const CifDocument& document, const CifTable& table,
+                   std::span<const std::string_view> altlocs, Remarks& remarks)
+      : document_(document),
+        table_(table),
+        altlocs_(altlocs),
+        remarks_(remarks),
+        lines_(document.text) {}
 
   std::vector<StatedLink> read();
 
@@ -37,6 +43,7 @@ class StructConnReader {
 
   const CifDocument& document_;
   const CifTable& table_;
+  std::span<const std::string_view> altlocs_;
   Remarks& remarks_;
   CifLines lines_;
   std::size_t line_ = 0;  // where the current row begins
@@ -65,7 +72,7 @@ std::optional<LinkEnd> StructConnReader::end_of(std::size_t row, const std::stri
   end.address.number = *number;
   end.address.insertion_code = insertion.empty() ? ' ' : insertion[0];
   end.address.name = word(row, {partner + "_auth_atom_id", partner + "_label_atom_id"});
-  end.conformer = conformer.empty() ? ' ' : conformer[0];
+  end.conformer = altloc_character(conformer, altlocs_);
   if (symmetry != "1_555") end.symmetry = symmetry;
   return end;
 }
@@ -144,8 +151,9 @@ class ResidueNames {
 }  // namespace
 
 std::vector<StatedLink> struct_conn_links(const CifDocument& document, const CifTable& table,
+                                          std::span<const std::string_view> altlocs,
                                           Remarks& remarks) {
-  return StructConnReader(document, table, remarks).read();
+  return StructConnReader(document, table, altlocs, remarks).read();
 }
 
 void add_component_bonds(const CifDocument& document, const CifTable& table, Structure& structure) {

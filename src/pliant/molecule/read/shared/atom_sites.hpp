@@ -14,10 +14,11 @@ namespace pliant {
 
 /// Columns of N listed atoms.
 struct AtomSites {
-  Structure structure;               ///< atoms, positions, charges; residues are runs of one name
-  std::vector<char> conformers;      ///< (N) alternate location; ' ' for none
-  std::vector<float> occupancies;    ///< (N)
-  std::vector<std::uint32_t> lines;  ///< (N) line of the file
+  Structure structure;           ///< atoms, positions, charges; residues are runs of one name
+  std::vector<char> conformers;  ///< (N) alternate location; ' ' for none
+  std::vector<std::string_view> altlocs;  ///< labels of several characters; the k-th is character k
+  std::vector<float> occupancies;         ///< (N)
+  std::vector<std::uint32_t> lines;       ///< (N) line of the file
   /// Chains of assemblies where those are not the author's: label_asym_id.
   std::vector<std::string> instances;
   std::vector<std::uint32_t> instance_of;  ///< (N) index into instances; empty: none are given
