@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The one way to write a file: beside its place, checked, and named once it is whole."""
+"""The one way to write a file: beside its place, checked, and named once it is complete."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def new_text(place: str | os.PathLike[str], *, overwrite: bool = False) -> Itera
 
 
 def write_text(place: str | os.PathLike[str], text: str, *, overwrite: bool = False) -> None:
-    """Writes a whole file or none. Raises FileError as `new_file` does."""
+    """Writes a complete file or none. Raises FileError as `new_file` does."""
     write_bytes(place, text.encode(), overwrite=overwrite)
 
 

@@ -4,7 +4,7 @@
 Beside OUT.sdf stand .OUT.sdf.partial, with the records so far, and .OUT.sdf.journal: a line for
 what was asked for, then one for each molecule with the bytes up to its end and their checksum. Each
 line begins with a checksum of itself and of all before it. A molecule counts once its line is
-whole, and both are on the disk. At the end the first gets its name and the second goes.
+complete, and both are on the disk. At the end the first gets its name and the second goes.
 """
 
 from __future__ import annotations

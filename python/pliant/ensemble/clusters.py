@@ -122,7 +122,7 @@ def _counts_of(task: _Task) -> _Counts:
 
 
 def _of_shard(walkers: np.ndarray, distances: np.ndarray) -> _Counts:
-    """Sums over the frames of whole walkers; walkers: (F,) and distances: (F, k)."""
+    """Sums over the frames of complete walkers; walkers: (F,) and distances: (F, k)."""
     k = distances.shape[1]
     owner = np.argmin(distances, axis=1)
     nearest = distances[np.arange(len(owner)), owner]

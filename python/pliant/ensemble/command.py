@@ -222,8 +222,8 @@ def _verify(options: argparse.Namespace) -> int:
     if options.json:
         print_json(result.as_json())
     elif not options.quiet:
-        whole = f"{result.shards} of {result.plan.shard_count}"
-        print(f"shards          {whole} are whole and match the manifest")
+        complete = f"{result.shards} of {result.plan.shard_count}"
+        print(f"shards          {complete} are complete and match the manifest")
         print(f"frames          {result.frames}, each once, {result.bytes / 1e6:.1f} MB")
     for problem in result.problems:
         print(f"pliant ensemble: error: {printable(problem)}", file=sys.stderr)

@@ -39,7 +39,7 @@ dask-jobqueue's class for that queue, such as cores: 1, memory: 2GB, walltime: "
 In Python, MDAnalysis.Universe("many/ensemble.pliant") is all shards as one trajectory.
 
 Exit code: 0 all shards are complete, 1 bad input or file, 2 bad option, 3 some frames are not
-whole or were left out. Ended early, with finished work saved: 75 by --walltime or SIGUSR1, 130
+complete or were left out. Ended early, with finished work saved: 75 by --walltime or SIGUSR1, 130
 by Ctrl-C, 143 by SIGTERM. The same command goes on from there."""
 
 #: options that --help shows
@@ -107,7 +107,7 @@ def _add_times(add: Callable[..., object]) -> None:
         metavar="DIR",
         nargs="?",
         const=USUAL,
-        help="write shards on a disk of the machine that makes them, and move them when whole; "
+        help="write shards on a disk of the machine that makes them, and move them when complete; "
         "variables in DIR are those of that machine (without DIR: $TMPDIR)",
     )
     text = "interval between commits of a shard (default: 10)"

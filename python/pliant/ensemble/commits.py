@@ -36,7 +36,7 @@ def take_log(folder: Path, plan: EnsemblePlan, shard: Shard) -> Path:
 
 
 def remove_logs(folder: Path, shard: Shard) -> None:
-    """Once the shard is whole."""
+    """Once the shard is complete."""
     for log in (folder / MAKING).glob(f"{_stem(shard)}.*{LOG}"):
         log.unlink(missing_ok=True)
 

@@ -74,8 +74,8 @@ def complete(
     """Makes the shards that are missing. `place` is asked for one, if there are any.
 
     Raises OutOfTimeError where the deadline comes first; OptionError and Error with what the first
-    shard that failed for good has said. All shards that were whole by then stay, and are found the
-    next time, as is what the others have committed.
+    shard that failed for good has said. All shards that were complete by then stay, and are found
+    the next time, as is what the others have committed.
     """
     began, how = time.monotonic(), how or Making()
     manifest = Manifest(folder, plan)
@@ -113,7 +113,7 @@ def _left_tidy(
     folder: Path,
     how: Making,
 ) -> Iterator[Place]:
-    """Where shards are made. At its end nothing is left here of those that are not whole."""
+    """Where shards are made. At its end nothing is left here of those that are not complete."""
     wait = 0.0
     try:
         with place(shards) as opened:
@@ -165,7 +165,7 @@ def _checked(
 
 @dataclass(frozen=True)
 class OutOfTime:
-    """Of a worker that had to end before its shard was whole."""
+    """Of a worker that had to end before its shard was complete."""
 
 
 #: What a worker brings back: the record of a shard, or why no further attempt is of use.

@@ -27,11 +27,11 @@ def folder_of(path: Path) -> Path:
 def _why_empty(folder: Path, plan: EnsemblePlan) -> str:
     if any((folder / SHARDS).glob("shard-*.h5md")):  # of a job array, or of --only
         return "no shard is counted yet: run the command of the ensemble once more"
-    return f"none of its {plan.shard_count} shards is whole yet"
+    return f"none of its {plan.shard_count} shards is complete yet"
 
 
 class EnsembleFrames:
-    """All frames of the shards that are whole, shard after shard.
+    """All frames of the shards that are complete, shard after shard.
 
     A shard is checked when it is first opened: every byte, against the manifest. Raises FileError
     and InputError if there is no ensemble, or none of its shards.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a shard's file holds, and whether it is whole: all of its walkers, each frame once.
+"""What a shard's file holds, and whether it is complete: all of its walkers, each frame once.
 
 A shard that the manifest counts must also have the very bytes that were counted.
 """
@@ -26,7 +26,7 @@ REMAKE = "the same pliant ensemble command makes it again"
 
 @dataclass
 class ShardRecord:
-    """A line of the manifest: a shard that is whole."""
+    """A line of the manifest: a shard that is complete."""
 
     shard: int
     first: int
@@ -44,7 +44,7 @@ class ShardRecord:
 
 
 def inspect_shard(plan: EnsemblePlan, shard: Shard, path: Path) -> ShardRecord:
-    """The record of a whole shard. Raises InputError saying what is wrong with the file."""
+    """The record of a complete shard. Raises InputError saying what is wrong with the file."""
     return _record(plan, shard, path, file_digest(path))
 
 
@@ -63,7 +63,7 @@ def _record(plan: EnsemblePlan, shard: Shard, path: Path, digest: str) -> ShardR
 def check_shard(
     plan: EnsemblePlan, shard: Shard, expected: ShardRecord | None, path: Path
 ) -> ShardRecord:
-    """The record of a whole shard, which is the one that the manifest counts where it counts it.
+    """The record of a complete shard, which is the one that the manifest counts where it counts it.
 
     Reads every byte. Raises FileError where the file cannot be read, InputError saying what is
     wrong with what it holds.

@@ -44,12 +44,12 @@ class Making:
 def make_shard(
     plan: EnsemblePlan, shard: Shard, folder: str, how: Making | None = None
 ) -> ShardRecord:
-    """Makes a shard, unless it is there and whole, and returns its record.
+    """Makes a shard, unless it is there and complete, and returns its record.
 
     What an attempt before this one has committed is not made again; the bytes are the same.
 
-    The file takes its name when it is whole, and then replaces one that is not. Where two make the
-    same shard, the first one's file stays. Raises as `run_job`, OptionError where no other attempt
+    The file takes its name when it is complete, and then replaces one that is not. Where two make
+    the same shard, the first one's file stays. Raises as `run_job`, OptionError where no other attempt
     would succeed, and OutOfTimeError where the deadline came first.
     """
     target = Path(folder, shard.name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The manifest: one line of JSON for each shard that is whole, added when it is.
+"""The manifest: one line of JSON for each shard that is complete, added when it is.
 
 A line has the numbers of the shard's walkers, how many frames and bytes it has, and the SHA-256 of
 its bytes.
@@ -32,7 +32,7 @@ class Manifest:
         self.records = dict(_read(self.path, data[: self._end], plan))
 
     def add(self, record: ShardRecord) -> None:
-        """Counts a whole shard. Raises FileError.
+        """Counts a complete shard. Raises FileError.
 
         A line that a power cut takes is no loss: the shard's file is found by its own check.
         """

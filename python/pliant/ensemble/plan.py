@@ -134,7 +134,7 @@ def refuse_ensemble(path: str | os.PathLike[str]) -> None:
 
 
 def load_plan(folder: str | os.PathLike[str]) -> EnsemblePlan:
-    """The plan of a folder. Raises FileError if there is none, InputError if it is not whole."""
+    """The plan of a folder. Raises FileError if there is none, InputError if it is not complete."""
     path = Path(folder, PLAN)
     try:
         with open(path, "rb", opener=open_file) as file:

@@ -24,7 +24,7 @@ _SECONDS = {"days": 86400, "hours": 3600, "minutes": 60, "seconds": 1}
 
 
 class OutOfTimeError(Exception):
-    """Ended before it was whole, with all that was done committed; the same command goes on."""
+    """Ended before it was complete, with all that was done committed; the same command goes on."""
 
 
 def parse_walltime(text: str) -> float:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant ensemble --verify``: proves that all shards are there and whole, each frame once."""
+"""``pliant ensemble --verify``: proves that all shards are there and complete, each frame once."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Verification:
 
     plan: EnsemblePlan
     folder: Path
-    shards: int = 0  #: whole
+    shards: int = 0  #: complete
     frames: int = 0
     bytes: int = 0
     problems: list[str] = field(default_factory=list)

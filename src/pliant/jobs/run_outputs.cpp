@@ -91,7 +91,7 @@ struct RunOutputs::Walker {
                          [self](const Frame& frame) { self->committed->look(frame); }};
   }
 
-  /// One file for all holds whole walkers only.
+  /// One file for all holds complete walkers only.
   void close(const RunSummary& summary, const State& state) {
     if (outputs.watch_.on_end) outputs.watch_.on_end(number, state);
     if (committed) committed->end(state, !summary.stopped_by_caller);

@@ -53,7 +53,7 @@ class CommittedSample {
     return summary;
   }
 
-  /// Once the output is whole: what was committed goes.
+  /// Once the output is complete: what was committed goes.
   void end() { log_.remove(); }
 
  private:

@@ -62,7 +62,7 @@ std::size_t ImdCommandReader::body_size(const ImdHeader& header) const {
   return 16 * static_cast<std::size_t>(header.value);
 }
 
-/// Forces of a packet that is whole: the atoms, then as many forces.
+/// Forces of a packet that is complete: the atoms, then as many forces.
 std::vector<JointForce> ImdCommandReader::forces(std::size_t count) {
   const std::byte* indices = bytes_.data() + header_size;
   const std::byte* numbers = indices + 4 * count;

@@ -322,4 +322,4 @@ def test_shards_that_are_not_counted_are_reported_from_none(many, tmp_path):
     ended = call("analyse", folder)
     assert "no shard is counted yet: run the command of the ensemble once more" in ended.stderr
     shutil.rmtree(folder / "shards")
-    assert "none of its 7 shards is whole yet" in call("analyse", folder).stderr
+    assert "none of its 7 shards is complete yet" in call("analyse", folder).stderr

@@ -43,7 +43,7 @@ void refuse_to_replace(const std::vector<std::string>& outputs, const OutputOpti
                        std::string_view dashes = "--");
 
 /// "out.h5md: is not there", and what its writer has left beside it if it was ended before the
-/// first frame was whole.
+/// first frame was complete.
 std::string not_there(const std::string& name);
 
 /// ".pdb" for "OUT.PDB".

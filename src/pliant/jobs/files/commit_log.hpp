@@ -3,7 +3,7 @@
 //
 // The trajectory of several walkers is written in one go, because HDF5 files that were closed and
 // opened again have other bytes. What is done meanwhile is kept in a file of its own, which has no
-// other use and goes when the trajectory is whole. It consists of 64-bit words in the order of
+// other use and goes when the trajectory is complete. It consists of 64-bit words in the order of
 // bytes of the machine:
 //   "PLIANTCL", key of the run; then for each commit
 //   number of words that follow the digest, digest of them,

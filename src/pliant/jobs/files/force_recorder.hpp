@@ -16,7 +16,7 @@ namespace pliant {
 /// whose other pushes are made again and not listed.
 ForceFile force_file_of(const RunOptions& options, ForceHeader header, bool is_counted = false);
 
-/// The force file that the pushes of a run become: there as a whole once the run has ended, or not
+/// The force file that the pushes of a run become: complete once the run has ended, or not
 /// at all. It keeps the forces of a push that acted by move_by_verlet; the root joint and 0 if
 /// there were none. For a run in hands (`held_back`) it keeps what they asked for, and counts steps
 /// in which nothing changed: the settings say what drives the run besides, and take no memory

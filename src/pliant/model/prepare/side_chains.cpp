@@ -37,7 +37,7 @@ struct Choice {
   double overlap = 0.0;
 };
 
-/// Chooses torsions of all side chains that are not whole.
+/// Chooses torsions of all side chains that are not complete.
 class Builder {
  public:
   explicit Builder(const Structure& structure) : structure_(structure), residues_(structure.atoms) {

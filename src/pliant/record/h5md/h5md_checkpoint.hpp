@@ -2,7 +2,7 @@
 // Checkpoint: what a run or a sample needs to continue from an H5MD file, bit by bit.
 //
 // Below /parameters/checkpoint:
-//   state (2, 5 + 6 N + L)  two states, written alternately, so that one is always whole:
+//   state (2, 5 + 6 N + L)  two states, written alternately, so that one is always complete:
 //     number of the checkpoint (the larger is the later), step, time (ps), two halves of a digest,
 //     positions (3 N), previous positions (3 N), limits that are off (L, 1 for off); not of samples
 //   mass (N) u, drawn (N, 3)   where /particles does not have their exact bits

@@ -14,7 +14,7 @@
 namespace pliant {
 namespace {
 
-/// A state of the file, if it is whole.
+/// A state of the file, if it is complete.
 struct KeptState {
   std::int64_t number = 0;
   State state;

@@ -70,7 +70,7 @@ bool next_text(Lines& lines) {
   return false;
 }
 
-/// Walks over all frames, checks that each is whole, and remembers the wanted one.
+/// Walks over all frames, checks that each is complete, and remembers the wanted one.
 std::optional<Frame> find_frame(Lines lines, std::size_t wanted, std::size_t& frame_count,
                                 Remarks& remarks) {
   std::optional<Frame> found;
