@@ -49,8 +49,8 @@ def make_shard(
     What an attempt before this one has committed is not made again; the bytes are the same.
 
     The file takes its name when it is complete, and then replaces one that is not. Where two make
-    the same shard, the first one's file stays. Raises as `run_job`, OptionError where no other attempt
-    would succeed, and OutOfTimeError where the deadline came first.
+    the same shard, the first one's file stays. Raises as `run_job`, OptionError where no other
+    attempt would succeed, and OutOfTimeError where the deadline came first.
     """
     target = Path(folder, shard.name)
     is_damaged = False
