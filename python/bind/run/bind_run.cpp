@@ -9,6 +9,7 @@
 #include "messages.hpp"
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
+#include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/framework/fingerprint.hpp"
@@ -26,17 +27,9 @@ namespace {
 
 nb::module_ core() { return nb::module_::import_("pliant._core"); }
 
-const OptionFacts& select_row() {
-  for (const auto& field : input_fields())
-    if (field.name == "select") return field;
-  throw OptionError("no row: select");
-}
+const OptionFacts& select_row() { return choose(input_fields(), "option", "select"); }
 
-const OptionFacts& forces_row() {
-  for (const auto& field : walkers_fields())
-    if (field.name == "record_forces") return field;
-  throw OptionError("no row: record_forces");
-}
+const OptionFacts& forces_row() { return choose(walkers_fields(), "option", "record_forces"); }
 
 /// The rows of a call of `run`; others are left.
 Job take_job(nb::dict given) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/base/version.hpp"
 #include "pliant/jobs/files/run_checkpoint.hpp"
@@ -18,16 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const std::string& file) {
-  std::error_code error;
-  return fs::exists(path_of(file), error);
-}
-
 /// The settings are those of the first walker that was begun.
 std::string first_begun(const Job& job) {
   const std::int64_t end = job.walkers.first + job.walkers.walkers;
   for (std::int64_t walker = job.walkers.first; walker < end; ++walker)
-    if (is_there(output_of(job, walker))) return output_of(job, walker);
+    if (is_there(path_of(output_of(job, walker)))) return output_of(job, walker);
   const std::string name = output_of(job, job.walkers.first);
   if (job.walkers.are_several())
     throw FileError(name + ": none of the files of these walkers is there");
@@ -35,7 +31,7 @@ std::string first_begun(const Job& job) {
   const std::string of_walkers = path_text(
       path.parent_path() / path_of(path_text(path.stem()) + "-0" + path_text(path.extension())));
   throw FileError(not_there(name) +
-                  (is_there(of_walkers)
+                  (is_there(path_of(of_walkers))
                        ? ", but " + of_walkers + " is: give --walkers or --shard as in the run"
                        : ""));
 }
@@ -87,13 +83,8 @@ std::vector<RunSummary> ContinuedRun::run(const RunWatch& watch) {
   if (from_.last_step >= from_.began + from_.steps)
     log_.note(path_text(from_.path) + " has all of its " + std::to_string(from_.steps) +
               " steps; --steps N goes on up to step N");
-  const auto first = static_cast<std::uint64_t>(job_.walkers.first);
-  EnsembleOptions options{job_.run,
-                          {first, first + static_cast<std::uint64_t>(job_.walkers.walkers)},
-                          static_cast<int>(job_.walkers.threads)};
-  options.run.resolve.should_stop = watch.should_stop;
   std::vector<RunSummary> summaries = run_ensemble(
-      from_.framework, State(start()), options,
+      from_.framework, State(start()), ensemble_of(job_, watch),
       [&](std::uint64_t walker) { return watchers_of(static_cast<std::int64_t>(walker), watch); });
   for (std::size_t k = 0; k < summaries.size(); ++k) summaries[k].frames = frames_added_[k];
   return summaries;
@@ -108,7 +99,7 @@ Watchers ContinuedRun::watchers_of(std::int64_t walker, const RunWatch& watch) {
   const std::string file = output_of(job_, walker);
   Watchers watchers;
   if (walker == job_.walkers.first) watchers.log = log_;
-  if (!is_there(file)) {
+  if (!is_there(path_of(file))) {
     record(watchers, walker, begin(file, walker), 0, watch);
     return watchers;
   }

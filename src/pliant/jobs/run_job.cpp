@@ -56,15 +56,6 @@ std::vector<std::string> inputs_of(const Job& job) {
   return inputs;
 }
 
-EnsembleOptions ensemble_of(const Job& job, const RunWatch& watch) {
-  const auto first = static_cast<std::uint64_t>(job.walkers.first);
-  EnsembleOptions options{job.run,
-                          {first, first + static_cast<std::uint64_t>(job.walkers.walkers)},
-                          static_cast<int>(job.walkers.threads)};
-  options.run.resolve.should_stop = watch.should_stop;
-  return options;
-}
-
 }  // namespace
 
 void settle_walkers(Job& job) {
@@ -93,7 +84,7 @@ RunJob::RunJob(Job job, std::string_view dashes) : job_(std::move(job)), dashes_
 
 /// What a client does is kept, so that the run can be repeated; where a force file can hold it.
 void RunJob::settle() {
-  if (!job_.output.output.empty()) pliant::settle(job_.output);
+  if (!job_.output.output.empty()) pliant::settle(job_.output, dashes_);
   std::string& forces = job_.walkers.record_forces;
   const bool can_be_kept =
       job_.guide.empty() && (job_.run.perturb == "force" || !job_.walkers.forces.empty());
@@ -192,26 +183,26 @@ H5mdHeader RunJob::header(std::int64_t walker) const {
   return header;
 }
 
+RunToRecord RunJob::recorded() const {
+  return {job_, *subject_, [this](std::int64_t walker) { return header(walker); },
+          keeps_forces_if_pulled_};
+}
+
 std::vector<RunSummary> RunJob::run(const State& start, const RunWatch& watch) {
-  const RunSubject& subject = *subject_;
   if (!replayed_.events.empty()) {
     State moved = start;
     return {run_alone(moved, watch)};
   }
-  RunOutputs outputs({job_, subject, [this](std::int64_t walker) { return header(walker); },
-                      keeps_forces_if_pulled_},
-                     watch, log_);
+  RunOutputs outputs(recorded(), watch, log_);
   std::vector<RunSummary> summaries = run_ensemble(
-      subject.framework, start, ensemble_of(job_, watch),
+      subject_->framework, start, ensemble_of(job_, watch),
       [&](std::uint64_t walker) { return outputs.watchers_of(static_cast<std::int64_t>(walker)); });
   outputs.close(watch.stops());
   return summaries;
 }
 
 RunSummary RunJob::run_alone(State& state, const RunWatch& watch) {
-  RunOutputs outputs({job_, *subject_, [this](std::int64_t walker) { return header(walker); },
-                      keeps_forces_if_pulled_},
-                     watch, log_);
+  RunOutputs outputs(recorded(), watch, log_);
   const Watchers watchers = outputs.watchers_of(job_.walkers.first);
   RunSummary summary;
   if (!replayed_.events.empty()) {

@@ -10,7 +10,7 @@
 #include "pliant/base/log.hpp"
 #include "pliant/jobs/job.hpp"
 #include "pliant/jobs/replayed_header.hpp"
-#include "pliant/jobs/run_watch.hpp"
+#include "pliant/jobs/run_outputs.hpp"
 #include "pliant/record/h5md/h5md_header.hpp"
 
 namespace pliant {
@@ -53,6 +53,7 @@ class RunJob {
 
  private:
   void settle();
+  RunToRecord recorded() const;
   void check_outputs() const;
   void check_record_forces() const;
   void complete();

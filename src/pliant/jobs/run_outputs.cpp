@@ -49,6 +49,15 @@ std::string output_of(const Job& job, std::int64_t walker) {
   return of_walker(job.walkers, job.output.output, walker);
 }
 
+EnsembleOptions ensemble_of(const Job& job, const RunWatch& watch) {
+  const auto first = static_cast<std::uint64_t>(job.walkers.first);
+  EnsembleOptions options{job.run,
+                          {first, first + static_cast<std::uint64_t>(job.walkers.walkers)},
+                          static_cast<int>(job.walkers.threads)};
+  options.run.resolve.should_stop = watch.should_stop;
+  return options;
+}
+
 /// The files of one walker.
 struct RunOutputs::Walker {
   RunOutputs& outputs;

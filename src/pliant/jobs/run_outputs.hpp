@@ -23,6 +23,9 @@ std::string of_walker(const WalkersAsked& asked, const std::string& name, std::i
 /// Name of the trajectory of a walker, which all may share.
 std::string output_of(const Job& job, std::int64_t walker);
 
+/// Which walkers are run, how, and on how many threads.
+EnsembleOptions ensemble_of(const Job& job, const RunWatch& watch);
+
 /// What files and observers of a run need to know of it. All must outlive them.
 struct RunToRecord {
   const Job& job;

@@ -93,10 +93,6 @@ class CommittedSample {
   std::int64_t next_frame_;  ///< behind the last frame seen
 };
 
-std::string name_of(std::string_view option, std::string_view dashes) {
-  return std::string(dashes) + std::string(option);
-}
-
 /// The files that are read; "" for none.
 std::vector<std::string> inputs_of(const Job& job) {
   std::vector<std::string> all = inputs_of(job.molecule);
@@ -154,7 +150,7 @@ H5mdCheckpoint read_sample(const std::string& file, std::optional<std::int64_t> 
 /// Throws OptionError if the file has more frames than there are to be.
 void check_count(const H5mdCheckpoint& from, std::string_view dashes) {
   if (from.done > from.steps)
-    throw OptionError(name_of("frames", dashes) + (dashes.empty() ? " = " : " ") +
+    throw OptionError(option_name("frames", dashes) + (dashes.empty() ? " = " : " ") +
                       std::to_string(from.steps) + ": " + path_text(from.path) + " has " +
                       std::to_string(from.done) +
                       " frames already; frames are counted from the start of the sample");
@@ -215,7 +211,7 @@ SampleJob::SampleJob(Job job, MolecularModel model, std::string_view dashes, con
   job_.sample.amplitude_from = amplitude_.source;
   OutputOptions& output = job_.output;
   if (output.topology.empty()) output.topology = no_topology;
-  output.record.saved = select_joints(task_->framework(), output.save, name_of("save", dashes));
+  output.record.saved = select_joints(task_->framework(), output.save, option_name("save", dashes));
 }
 
 SampledSystem SampleJob::system() const {

@@ -92,6 +92,8 @@ def test_python_does_the_same(pliant, tmp_path):
     assert len(package.read(tmp_path / "r.pdb")) == 20
     package.run(structure, steps=3, save="name CA", output=tmp_path / "x.pdb")
     assert len(package.read(tmp_path / "x.pdb")) == 20
+    with pytest.raises(package.OptionError, match=r"^precision: goes with H5MD, not with the PDB"):
+        package.run(structure, precision=1e-3, output=tmp_path / "y.pdb")
 
 
 @pytest.mark.parametrize(

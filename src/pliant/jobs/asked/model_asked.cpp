@@ -124,12 +124,6 @@ const ModelField table[] = {
      prepared},
 };
 
-std::string spelled(const OptionFacts& facts, std::string_view dashes) {
-  std::string name(facts.name);
-  if (!dashes.empty()) std::ranges::replace(name, '_', '-');
-  return std::string(dashes) + name;
-}
-
 /// "--model molecule or --model protein".
 std::string models_with(bool ModelEntry::*use, std::string_view dashes) {
   std::string text;
@@ -153,7 +147,8 @@ void check(const ModelAsked& asked, const ModelEntry* model, std::string_view da
     if (field.use == nullptr || (model != nullptr && model->*field.use)) continue;
     if (option_text(field.place(places_of(asked))) == option_text(field.place(usual))) continue;
     const bool says_which = dashes.empty() && model != nullptr;
-    throw OptionError(spelled(field, dashes) + ": goes with " + models_with(field.use, dashes) +
+    throw OptionError(option_name(field.name, dashes) + ": goes with " +
+                      models_with(field.use, dashes) +
                       (says_which ? ", not \"" + std::string(model->name) + "\"" : ""));
   }
 }

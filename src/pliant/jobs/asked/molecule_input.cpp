@@ -47,12 +47,6 @@ constexpr OptionField<BarsAsked> table[] = {
      at<&BarsAsked::pin>},
 };
 
-std::string option_of(const OptionFacts& facts) {
-  std::string name(facts.opposite.empty() ? facts.name : facts.opposite);
-  std::ranges::replace(name, '_', '-');
-  return "--" + name;
-}
-
 /// Throws OptionError naming the first option that a graph has no use for.
 void check_graph(const MoleculeOptions& options) {
   const auto refuse = [](const std::string& option, const char* reason) {
@@ -67,7 +61,7 @@ void check_graph(const MoleculeOptions& options) {
   for (const auto& row : molecule_rows())
     if (std::ranges::find(taken, row.facts->name) == std::end(taken) &&
         option_text(row.place(given)) != option_text(row.place(usual)))
-      refuse(option_of(*row.facts), "has joints and bars as they stand");
+      refuse(option_name(*row.facts), "has joints and bars as they stand");
 }
 
 /// A graph XML file: its joints and bars as they stand, each bar shown as a bond of the file.

@@ -166,16 +166,17 @@ std::string default_topology(const std::string& output, const std::string& input
 }
 
 /// Throws OptionError if options of H5MD are given for another format.
-void check_format(const OutputOptions& options) {
+void check_format(const OutputOptions& options, std::string_view dashes) {
   const std::string& output = options.output;
   if (is_sdf_name(output) && !options.save.empty())
-    throw OptionError("--save: goes with H5MD and PDB, not with the SDF file " + output);
+    throw OptionError(option_name("save", dashes) +
+                      ": goes with H5MD and PDB, not with the SDF file " + output);
   if (!is_pdb_name(output) && !is_sdf_name(output)) return;
-  for (const auto& [is_given, name] : {std::pair(options.record.single, "--single"),
-                                       std::pair(options.record.compress, "--compress"),
-                                       std::pair(options.record.precision > 0.0, "--precision")})
+  for (const auto& [is_given, name] :
+       {std::pair(options.record.single, "single"), std::pair(options.record.compress, "compress"),
+        std::pair(options.record.precision > 0.0, "precision")})
     if (is_given)
-      throw OptionError(std::string(name) + ": goes with H5MD, not with the " +
+      throw OptionError(option_name(name, dashes) + ": goes with H5MD, not with the " +
                         (is_pdb_name(output) ? "PDB" : "SDF") + " file " + output);
 }
 
@@ -191,8 +192,8 @@ void name_outputs(OutputOptions& options, const std::string& input, bool has_sid
                          : std::string(no_topology);
 }
 
-void settle(OutputOptions& options) {
-  check_format(options);
+void settle(OutputOptions& options, std::string_view dashes) {
+  check_format(options, dashes);
   if (options.commits.empty()) return;
   options.record.flush_seconds = std::numeric_limits<double>::infinity();
   if (is_there(path_of(options.commits))) options.record.overwrite = true;

@@ -30,8 +30,9 @@ std::span<const OptionField<OutputOptions>> output_fields();
 void name_outputs(OutputOptions& options, const std::string& input, bool has_sidecar);
 
 /// With commits the output is written in one go, and replaces what is there of it where there are
-/// commits already. Throws OptionError for options of H5MD with another format.
-void settle(OutputOptions& options);
+/// commits already. Throws OptionError for options of H5MD with another format. `dashes`: as for
+/// option_name().
+void settle(OutputOptions& options, std::string_view dashes = "--");
 
 /// Throws OptionError if one of `outputs` is one of `inputs`, or is given twice; "" is none.
 void refuse_same_files(const std::vector<std::string>& inputs,
