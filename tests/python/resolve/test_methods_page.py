@@ -74,4 +74,3 @@ def test_references_are_cited_and_citations_listed():
     listed = re.findall(r"^- \*\*([A-Z][a-z]+ \d{4})\*\*: ", sections()["References"], re.MULTILINE)
     assert listed == sorted(set(listed))
     assert cited == set(listed)
-    assert re.findall(r"^\[([^\]]+)\]: #references$", PAGE, re.MULTILINE) == listed
