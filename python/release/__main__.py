@@ -2,8 +2,7 @@
 """./dev release: checks that a version can be released, and makes what its tag has.
 
     release [--quick] [--tag]            check; without --quick also make build/release/VERSION
-    release --prepare VERSION DATE       write version, day and the lists of the interface
-    release --lists                      write the lists of a version that is not tagged yet
+    release --prepare VERSION DATE       write version and day
 
 Nothing is published, and nothing is tagged without --tag.
 """
@@ -15,7 +14,6 @@ import sys
 from pathlib import Path
 
 import checks
-import interface
 import product
 import versions
 from project import Project
@@ -44,23 +42,15 @@ def failed(project: Project, table: tuple[checks.Check, ...]) -> int:
     return failures
 
 
-def is_tagged(project: Project, version: str) -> bool:
-    """Whether it is too late to change a version; that is said."""
-    tagged = bool(project.git("tag", "--list", f"v{version}"))
-    if tagged:
-        print(f"release: v{version} is tagged: its lists and its date stay", file=sys.stderr)
-    return tagged
-
-
 def prepare(project: Project, version: str, day: str) -> int:
     """Writes what belongs to a new version; a tagged one is left alone."""
-    if is_tagged(project, version):
+    if project.git("tag", "--list", f"v{version}"):
+        print(f"release: v{version} is tagged: its date stays", file=sys.stderr)
         return 1
     if not versions.DATE.fullmatch(day):
         print(f"release: {day!r} is no date such as 2026-11-26", file=sys.stderr)
         return 2
     versions.write(project, version, day)
-    interface.write(project, version)
     print(f"{version} of {day}: look at the differences, write the changelog, commit")
     return 0
 
@@ -85,14 +75,8 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="what takes seconds, and make nothing")
     parser.add_argument("--tag", action="store_true", help="tag the commit if all passes")
     parser.add_argument("--prepare", nargs=2, metavar=("VERSION", "DATE"), help="write them")
-    parser.add_argument("--lists", action="store_true", help="write those of this version anew")
     options = parser.parse_args()
     project = Project()
-    if options.lists:
-        if is_tagged(project, project.version()):
-            return 1
-        interface.write(project, project.version())
-        return 0
     if options.prepare:
         return prepare(project, *options.prepare)
     failures = failed(project, checks.QUICK)

@@ -8,31 +8,15 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-import addresses
 import changelog
 import interface
-import pictures
 import product
-import registry_kit
+import recipes
 import versions
 from project import Project
 
-DONE = "build/done"  # ./dev notes there which command passed with the files of which commit
-# What a command does not read: what it showed still holds where nothing else was changed since.
-UNREAD = {
-    "wheel--all": (
-        ".github",
-        "CMakePresets.json",
-        "CONTRIBUTING.md",
-        "docs",
-        "python/release",
-        *(f"tests/{name}" for name in ("bench", "cli", "corpus", "docs", "examples", "fuzz")),
-        *(f"tests/{name}" for name in ("golden", "law", "lint", "python", "threads", "unit")),
-        "tests/seconds.toml",
-    )
-}
-TESTS_OF_LINKS = "tests/lint/test_links.py"
-TESTS_OF_WORKFLOWS = "tests/lint/test_workflows.py"
+DONE = "build/done"  # ./dev notes there which command passed with which commit
+LINTS = ("links", "workflows")  # of tests/lint
 
 
 class Result(NamedTuple):
@@ -76,103 +60,48 @@ def changes(project: Project) -> Result:
     return _of(changelog.problems(lines), f"{len(changelog.changes(lines))} changes, a line each")
 
 
-def address(project: Project) -> Result:
-    """The address is written once, or there is none anywhere."""
-    missing = registry_kit.missing(project)
-    said = project.address() or "none yet: what is published names none"
-    kit = f"; no file for the registry of MDAKits without {' and '.join(missing)}"
-    return _of(addresses.problems(project), said + (kit if missing else ""))
-
-
-def links(project: Project) -> Result:
-    """Links of all pages lead somewhere."""
-    return _pytest(project, TESTS_OF_LINKS, "lead somewhere")
-
-
-def workflows(project: Project) -> Result:
-    """The workflows of GitHub hang together."""
-    return _pytest(project, TESTS_OF_WORKFLOWS, "hang together")
-
-
-def _pytest(project: Project, file: str, passed: str) -> Result:
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", file]
+def lints(project: Project) -> Result:
+    """Links and pictures lead somewhere, no address is invented, the workflows hang together."""
+    files = [f"tests/lint/test_{name}.py" for name in LINTS]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *files]
     done = subprocess.run(command, cwd=project.root, capture_output=True, text=True, check=False)
     said = [line[2:].strip() for line in done.stdout.splitlines() if line.startswith("E ")]
+    missing = recipes.missing(project)
+    kit = f"; no file for the registry of MDAKits without {' and '.join(missing)}"
+    passed = f"of {', '.join(LINTS)}{kit if missing else ''}"
     return _of([] if done.returncode == 0 else said or ["pytest: " + done.stderr[-200:]], passed)
 
 
-def shown(project: Project) -> Result:
-    """Pictures that pages show are there, and made by scripts."""
-    return _of(pictures.problems(project), f"{len(set(pictures.shown(project)))} shown")
-
-
 def promises(project: Project) -> Result:
-    """The interface is listed for this version, as it is now, and keeps what was promised."""
-    known, now = interface.versions(project), project.version()
-    if now not in known:
-        return Result(False, f"no list of {now}: ./dev release --prepare {now} DATE writes it")
-    found, count = [], 0
-    for part, module in interface.PARTS.items():
-        lines, listed = module.lines(project), interface.listed(project, now, part)
-        count += len(lines)
-        found += [f"{part}: {line}: is not in the list" for line in lines if line not in listed]
-        found += [f"{part}: {line}: is no more" for line in listed if line not in lines]
-    return _of(found, f"{count} lines, as listed for {now}")
+    """What the last tagged version promised is there."""
+    tag = interface.last_tag(project)
+    return _of(interface.problems(project), f"keeps what {tag} promised" if tag else "the first")
 
 
-def noted(project: Project, name: str) -> str:
-    """The commit that a command of ./dev passed with last; empty if there is none."""
-    commit = project.text(f"{DONE}/{name}").strip()
-    return project.git("rev-parse", "--verify", f"{commit}^{{commit}}")
-
-
-def holds(project: Project, name: str) -> bool:
-    """Whether a command of ./dev passed with all that it reads of this commit."""
-    commit = noted(project, name)
-    unread = [f":(exclude){path}" for path in UNREAD.get(name, ())]
-    changed = project.git("diff", "--name-only", commit, "HEAD", "--", ".", *unread)
-    return bool(commit) and not changed
-
-
-def done(project: Project, *names: str) -> str:
-    """The first of these commands of ./dev that need not be run again; empty if all must."""
-    return next((name for name in names if holds(project, name)), "")
-
-
-def _spoken(name: str) -> str:
-    return name.replace("--", " --")
-
-
-def _passed_with(project: Project, name: str) -> str:
-    commit = noted(project, name)
-    if commit == project.commit():
-        return "this commit"
-    return f"{commit[:12]}, and what it reads is the same"
-
-
-def _made_by(project: Project, command: str, *instead: str) -> Result:
-    """Whether a command of ./dev passes; it is run unless it has, with all that it reads."""
-    name = done(project, *instead, command)
-    if name:
-        return Result(True, f"./dev {_spoken(name)} passed with {_passed_with(project, name)}")
-    words = _spoken(command)
-    code = subprocess.run(["./dev", *words.split()], cwd=project.root, check=False).returncode
-    return Result(code == 0, f"./dev {words} {'passed' if code == 0 else 'failed'}")
+def _passes(project: Project, *commands: str) -> Result:
+    """Whether one of the commands of ./dev passed with this commit; else the last one is run."""
+    for command in commands:
+        noted = project.text(f"{DONE}/{command.replace(' ', '')}").strip()
+        if noted and noted == project.commit():
+            return Result(True, f"./dev {command} passed with this commit")
+    last = commands[-1]
+    code = subprocess.run(["./dev", *last.split()], cwd=project.root, check=False).returncode
+    return Result(code == 0, f"./dev {last} {'passed' if code == 0 else 'failed'}")
 
 
 def tests(project: Project) -> Result:
     """The tests of every change pass."""
-    return _made_by(project, "test", "test--all")
+    return _passes(project, "test --all", "test")
 
 
 def docs(project: Project) -> Result:
     """The site is built, and every link of it leads somewhere."""
-    return _made_by(project, "docs")
+    return _passes(project, "docs")
 
 
 def wheels(project: Project) -> Result:
     """There is a wheel for each system and Python."""
-    made = _made_by(project, "wheel--all")
+    made = _passes(project, "wheel --all")
     if not made.passed:
         return made
     missing = [f"no wheel for {name}" for name in product.missing_wheels(project)]
@@ -181,7 +110,7 @@ def wheels(project: Project) -> Result:
 
 def archive(project: Project) -> Result:
     """There is an archive of the sources, and a wheel can be made of it."""
-    made = _made_by(project, "sdist")
+    made = _passes(project, "sdist")
     if made.passed and not product.sources(project).is_file():
         return Result(False, f"there is no {product.sources(project).name}")
     return made
@@ -191,11 +120,8 @@ QUICK = (
     Check("clean tree", tree),
     Check("version", version),
     Check("changelog", changes),
-    Check("address", address),
-    Check("links", links),
-    Check("pictures", shown),
+    Check("lints", lints),
     Check("interface", promises),
-    Check("workflows", workflows),
 )
 LONG = (
     Check("tests", tests),

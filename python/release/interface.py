@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""What Pliant promises, as lists in the repository: those of each release, and those of now.
+"""What Pliant promises, compared with what the last tagged version promised.
 
-A list is a text file of lines in python/release/interface/VERSION. What a list of the last release
-has must be there still, or be served by what came in its place: within a major version nothing
-goes. Until a version is released its lists may be written anew.
+Each part is read from files of the repository, as they are now and as they were at the tag; tests
+hold that these files say what is there. Within a major version nothing goes, and what changes
+serves those who used it.
 """
 
 from __future__ import annotations
 
-import re
-from pathlib import Path
-from types import ModuleType
+from collections.abc import Callable
 
 import listed_commands
 import listed_cpp
@@ -18,61 +16,32 @@ import listed_files
 import listed_python
 from project import Project
 
-LISTS = Path("python") / "release" / "interface"
-PARTS: dict[str, ModuleType] = {
-    "python": listed_python,
-    "cpp": listed_cpp,
-    "commands": listed_commands,
-    "files": listed_files,
+#: what breaks users of a part: one text for each thing, of the project before and after
+PARTS: dict[str, Callable[[Project, Project], list[str]]] = {
+    "python": listed_python.broken,
+    "cpp": listed_cpp.broken,
+    "commands": listed_commands.broken,
+    "files": listed_files.broken,
 }
 
 
-def numbers(version: str) -> tuple[int, ...]:
-    """A version as numbers, which can be compared."""
-    return tuple(int(one) for one in version.split("."))
+def last_tag(project: Project) -> str:
+    """The tag of the highest version that the commit stands on; empty if there is none."""
+    return project.git(
+        "tag", "--list", "v[0-9]*", "--merged", "HEAD", "--sort=-version:refname"
+    ).partition("\n")[0]
 
 
-def versions(project: Project) -> list[str]:
-    """The versions that have lists, oldest first."""
-    folders = [path.name for path in (project.root / LISTS).glob("[0-9]*") if path.is_dir()]
-    return sorted(folders, key=numbers)
-
-
-def listed(project: Project, version: str, part: str) -> list[str]:
-    """The list of a release."""
-    return project.text(str(LISTS / version / f"{part}.txt")).splitlines()
-
-
-def broken(old: list[str], new: list[str], part: str) -> list[str]:
-    """The lines of an old list that nothing in the new one serves."""
-    there, missing = set(new), []
-    for line in old:
-        if line in there:
-            continue
-        head = re.split(r"[( ]", line)[0]
-        near = [one for one in new if one.startswith(head)]
-        if not any(PARTS[part].serves(one, line) for one in near):
-            missing.append(line)
-    return missing
-
-
-def problems(project: Project, part: str, new: list[str]) -> list[str]:
-    """One line for each promise of the last release that is not kept."""
-    known = versions(project)
-    if not known:
-        return [f"{LISTS}: no list; ./dev release --prepare VERSION DATE writes one"]
-    last = known[-1]
-    if numbers(project.version())[0] > numbers(last)[0]:
+def problems(project: Project) -> list[str]:
+    """One line for each promise of the last tagged version that is not kept."""
+    tag = last_tag(project)
+    if not tag:
+        return []
+    before = project._replace(tag=tag)
+    if before.version().partition(".")[0] != project.version().partition(".")[0]:
         return []
     return [
-        f"{part}: {line}: was in {last}" for line in broken(listed(project, last, part), new, part)
+        f"{part}: {text} (since {tag})"
+        for part, broken in PARTS.items()
+        for text in broken(before, project)
     ]
-
-
-def write(project: Project, version: str) -> None:
-    """Writes the lists of a release."""
-    folder = project.root / LISTS / version
-    folder.mkdir(parents=True, exist_ok=True)
-    for part, module in PARTS.items():
-        text = "".join(f"{line}\n" for line in module.lines(project))
-        (folder / f"{part}.txt").write_text(text, encoding="utf-8")

@@ -21,17 +21,17 @@ OF_ALL = {"--help", "--help-all"}
 def lines(project: Project) -> list[str]:
     """`pliant NAME` for each command, `pliant NAME --option` for each of its options."""
     found = {f"pliant COMMAND {option}" for option in OF_ALL}
-    for path in sorted((project.root / FOLDER).glob("pliant-*.help.txt")):
-        name = path.name.removesuffix(".help.txt").removeprefix("pliant-")
+    for name in re.findall(rf"^{FOLDER}/pliant-(.+)\.help\.txt$", "\n".join(project.files()), re.M):
         if name.startswith(LABORATORY) or name.endswith("-all"):
             continue
-        text = path.read_text(encoding="utf-8")
+        text = project.text(f"{FOLDER}/pliant-{name}.help.txt")
         its = EXPLAINED.findall(text + project.text(f"{FOLDER}/pliant-{name}-all.help.txt"))
         usual = set(NAMED.findall(text)).intersection(its) - OF_ALL
         found |= {f"pliant {name}", *(f"pliant {name} {option}" for option in usual)}
     return sorted(found)
 
 
-def serves(new: str, old: str) -> bool:
-    """An option stays what it is."""
-    return new == old
+def broken(before: Project, now: Project) -> list[str]:
+    """A command or option stays what it is."""
+    there = lines(now)
+    return [f"{line}: is gone" for line in lines(before) if line not in there]

@@ -86,6 +86,14 @@ def _declared(text: str) -> str:
     return text.strip()
 
 
+def broken(before: Project, now: Project) -> list[str]:
+    """The declarations of the old headers that nothing in the new ones serves."""
+    there = lines(now)
+    return [
+        f"{old}: is gone" for old in lines(before) if not any(serves(new, old) for new in there)
+    ]
+
+
 def serves(new: str, old: str) -> bool:
     """Whether what compiled with the old declaration compiles with the new one."""
     if new == old:

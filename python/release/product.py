@@ -9,8 +9,7 @@ import shutil
 from pathlib import Path
 
 import changelog
-import conda_recipe
-import registry_kit
+import recipes
 from project import Project
 
 WHEELS = Path("build") / "wheels"
@@ -56,10 +55,9 @@ def make(project: Project, folder: Path) -> list[Path]:
     sums = "".join(f"{digest(path)}  {path.name}\n" for path in made)
     texts = {"SHA256SUMS": sums, "RELEASE_NOTES.md": notes(project)}
     if sources(project).is_file():
-        texts["recipe.yaml"] = conda_recipe.recipe(project, digest(sources(project)))
-    if not registry_kit.missing(project):
-        address, accounts = project.address(), project.maintainers()
-        texts["metadata.yaml"] = registry_kit.metadata(project, address, accounts)
+        texts["recipe.yaml"] = recipes.conda(project, digest(sources(project)))
+    if not recipes.missing(project):
+        texts["metadata.yaml"] = recipes.mdakit(project)
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
     return [*made, *(folder / name for name in texts)]

@@ -30,12 +30,15 @@ VERSION = re.compile(r"^project\(pliant VERSION ([\d.]+)", re.MULTILINE)
 
 
 class Project(NamedTuple):
-    """A checkout of Pliant."""
+    """A checkout of Pliant, or what a tag has in it."""
 
     root: Path = ROOT
+    tag: str = ""
 
     def text(self, name: str) -> str:
         """The text of a file, by its path from the top; empty if there is none."""
+        if self.tag:
+            return self.git("show", f"{self.tag}:{name}")
         path = self.root / name
         return path.read_text(encoding="utf-8") if path.is_file() else ""
 
@@ -70,4 +73,6 @@ class Project(NamedTuple):
 
     def files(self) -> list[str]:
         """Every file that git knows, by its path from the top."""
+        if self.tag:
+            return self.git("ls-tree", "-r", "--name-only", self.tag).splitlines()
         return [name for name in self.git("ls-files").splitlines() if (self.root / name).is_file()]

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The files that the lint looks at, and how it reports."""
 
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
+
+import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("src", "apps", "python", "tests", "docs")
@@ -16,6 +19,15 @@ def files(*suffixes: str, folders: tuple[str, ...] = FOLDERS) -> Iterator[Path]:
             wanted = not suffixes or path.suffix in suffixes
             if wanted and path.is_file() and "__pycache__" not in path.parts:
                 yield path
+
+
+def tracked(*words: str) -> list[str]:
+    """What git ls-files lists of the project; skips the test where this is no clone."""
+    command = ["git", "ls-files", *words]
+    done = subprocess.run(command, cwd=ROOT, text=True, capture_output=True, check=False)
+    if not done.stdout:
+        pytest.skip("this is no clone: git lists no files")
+    return [name for name in done.stdout.splitlines() if (ROOT / name).is_file()]
 
 
 def place(path: Path, line: int = 0) -> str:

@@ -1,28 +1,16 @@
 # SPDX-License-Identifier: MIT
 """No folder holds so many files that one cannot find one's way in it."""
 
-import subprocess
 from collections import Counter
 from collections.abc import Iterable
 from pathlib import PurePosixPath
 
-import pytest
-from sources import FOLDERS, ROOT, refuse
+from sources import FOLDERS, refuse, tracked
 
 MOST_FILES = 30
 
 # Files that are looked up by name, one for each case or page.
 DATA = ("tests/corpus/", "tests/cli/help/")
-
-
-def tracked_files() -> list[str]:
-    """What the project has, without what was built; skips the test where that is not known."""
-    if not (ROOT / ".git").exists():
-        pytest.skip("not a clone")
-    command = ["git", "ls-files", *FOLDERS]
-    return subprocess.run(
-        command, cwd=ROOT, text=True, capture_output=True, check=True
-    ).stdout.splitlines()
 
 
 def full_folders(names: Iterable[str]) -> list[str]:
@@ -36,7 +24,7 @@ def full_folders(names: Iterable[str]) -> list[str]:
 
 
 def test_no_folder_is_too_full():
-    refuse(full_folders(tracked_files()))
+    refuse(full_folders(tracked(*FOLDERS)))
 
 
 def test_a_folder_that_is_too_full_is_found():

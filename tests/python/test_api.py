@@ -19,6 +19,8 @@ REFERENCE = Path(__file__).with_name("pliant.pyi.ref")
 STUB = Path(pliant._core.__file__).with_name("_core.pyi")
 TITLE = "# The Python API of Pliant; written by tests/python/test_api.py\n"
 MOST_NAMES = 60  # each is a promise until the next major version
+#: what is private, and what printing and pickling call
+NOT_CALLED = re.compile(r"_[a-z]|__(repr|str|getstate|setstate)__")
 SECTION = re.compile(r"\n(\w+)\n-+\n")
 
 
@@ -49,7 +51,7 @@ def promised_names():
 
 def signature(node):
     returns = f" -> {ast.unparse(node.returns)}" if node.returns else ""
-    return f"{node.name}({ast.unparse(node.args)}){returns}"
+    return f"def {node.name}({ast.unparse(node.args)}){returns}: ..."
 
 
 def is_decorated(node, name):
@@ -60,21 +62,22 @@ def member_line(node):
     """A property, a method or an enumerator on one line; empty for what is none of them."""
     if isinstance(node, ast.Assign):
         return ast.unparse(node)
-    if not isinstance(node, ast.FunctionDef) or re.match("_[a-z]", node.name):
+    if not isinstance(node, ast.FunctionDef) or NOT_CALLED.match(node.name):
         return ""
     if is_decorated(node, "setter"):
         value = [*node.args.posonlyargs, *node.args.args][-1]
-        return f"{node.name} may be assigned {ast.unparse(value.annotation)}"
+        return f"# {node.name} may be assigned {ast.unparse(value.annotation)}"
     if is_decorated(node, "property") or is_decorated(node, "cached_property"):
         return f"{node.name}: {ast.unparse(node.returns)}"
-    return "def " + signature(node)
+    return signature(node)
 
 
 def lines_of(node):
     if isinstance(node, ast.FunctionDef):
-        return ["def " + signature(node)]
-    head = f"class {node.name}({', '.join(map(ast.unparse, node.bases))})"
-    return ["", head, *(f"    {line}" for member in node.body if (line := member_line(member)))]
+        return [signature(node)]
+    members = [line for member in node.body if (line := member_line(member))] or ["..."]
+    head = f"class {node.name}({', '.join(map(ast.unparse, node.bases))}):"
+    return ["", head, *(f"    {line}" for line in members)]
 
 
 def python_functions():
@@ -117,7 +120,7 @@ def promised_stubs(classes):
 def reference_text():
     functions = [ast.parse(inspect.getsource(function)).body[0] for function in python_functions()]
     classes = python_classes()
-    names = ["Names: " + " ".join(promised_names()), ""]
+    names = ["# Names: " + " ".join(promised_names()), ""]
     nodes = [*functions, *classes, *promised_stubs(classes)]
     return "\n".join([TITLE, *names, *(line for node in nodes for line in lines_of(node)), ""])
 

@@ -16,9 +16,6 @@ def small_project(tmp_path):
         "CITATION.cff": "version: 1.2.3\ndate-released: 2027-01-02\n",
         "CHANGELOG.md": f"# Changelog\n\n## 1.2.3 (2027-01-02)\n{SECTION}",
         "pyproject.toml": '[tool.pliant]\nrepository = ""\nmaintainers = []\n',
-        "docs/page.md": "![A thing](pictures/thing.png)\n",
-        "docs/pictures/thing.png": "",
-        "docs/make_pictures.py": '"thing.png"\n',
     }
     for name, text in files.items():
         path = tmp_path / name

@@ -1,75 +1,108 @@
 # SPDX-License-Identifier: MIT
-"""What the last release promised is there: Python, C++, command line and files.
+"""What the last tagged version promised is there: Python, C++, command line and files."""
 
-Each list of python/release/interface is compared with what there is now. A line may be served by
-one that allows every use of it; nothing else may take its place within a major version.
-"""
-
-import sys
-from pathlib import Path
-
+import interface
+import listed_cpp
+import listed_python
 import pytest
+from project import Project
+from small_project import commit, in_git
 
-ROOT = Path(__file__).parents[3]
-sys.path.insert(0, str(ROOT / "python" / "release"))
+#: what each part has at least, so that a comparison of nothing is found
+FEWEST = {"python": 50, "cpp": 200, "commands": 100, "files": 150}
+HEADER = "// SPDX\n// What it is.\n#pragma once\n\nnamespace pliant {\n\nvoid f(int a);\n\n}\n"
 
-import interface  # noqa: E402
-import listed_cpp  # noqa: E402
-import listed_python  # noqa: E402
-from project import Project  # noqa: E402
+FILES = {
+    "tests/python/pliant.pyi.ref": (
+        "class State():\n    seed: int\n\ndef run(file, *, seed: int=0): ...\n"
+    ),
+    "src/pliant/pliant.hpp": '#include "pliant/base/log.hpp"\n',
+    "src/pliant/base/log.hpp": HEADER,
+    "tests/cli/help/pliant-run.help.txt": "  --seed N   a number\n",
+    "tests/cli/help/pliant-run-all.help.txt": "  --seed N   a number\n",
+    "tests/cli/help/pliant-bench.help.txt": "  --rows N   a number\n",
+    "tests/python/record/promised_files.ref": "h5md: particles/mass\n",
+}
 
-PROJECT = Project(ROOT)
-FEWEST = {"python": 250, "cpp": 200, "commands": 100, "files": 150}
-MOST = 900  # lines of all lists: what is promised cannot be taken back
+
+def write(project, files):
+    for name, text in files.items():
+        path = project.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    commit(project.root)
+
+
+@pytest.fixture
+def tagged(small):
+    """A project whose version 1.2.3 is tagged."""
+    write(small, FILES)
+    in_git(small.root, "tag", "v1.2.3")
+    return small
+
+
+def test_what_was_promised_is_there():
+    assert interface.problems(Project()) == []
 
 
 @pytest.mark.parametrize("part", interface.PARTS)
-def test_what_was_promised_is_there(part):
-    now = interface.PARTS[part].lines(PROJECT)
-    assert len(now) >= FEWEST[part]
-    assert interface.problems(PROJECT, part, now) == []
-
-
-@pytest.mark.parametrize("part", interface.PARTS)
-def test_lists_are_whole(part):
-    for version in interface.versions(PROJECT):
-        assert len(interface.listed(PROJECT, version, part)) >= FEWEST[part]
-
-
-def test_lists_are_short():
-    last = interface.versions(PROJECT)[-1]
-    assert sum(len(interface.listed(PROJECT, last, part)) for part in interface.PARTS) <= MOST
-
-
-@pytest.mark.parametrize("part", interface.PARTS)
-def test_a_line_that_is_gone_is_found(part):
-    last = interface.versions(PROJECT)[-1]
-    lines = interface.listed(PROJECT, last, part)
-    gone = lines[len(lines) // 2]
-    found = interface.problems(PROJECT, part, [line for line in lines if line != gone])
-    assert found == [f"{part}: {gone}: was in {last}"]
+def test_each_part_of_these_files_is_found(part, tmp_path):
+    """All that they promise is missing in a project without files."""
+    if not Project().files():
+        pytest.skip("this is no clone: git lists no files")
+    found = interface.PARTS[part](Project(), Project(tmp_path))
+    assert len(found) >= FEWEST[part]
 
 
 @pytest.mark.parametrize(
-    ("new", "old", "serves"),
+    ("name", "old", "new", "said"),
     [
-        ("run(file, *, seed=0)", "run(file, *, seed=0)", True),
-        ("run(file, *, seed=0, steps=3)", "run(file, *, seed=0)", True),
-        ("run(file, steps=3, *, seed=0)", "run(file, *, seed=0)", True),
-        ("run(file, seed=0)", "run(file, *, seed=0)", True),  # by name and by place
-        ("run(file, *, seed=0, steps)", "run(file, *, seed=0)", False),  # one must be given
-        ("run(file)", "run(file, *, seed=0)", False),
-        ("run(file, *, seed=1)", "run(file, *, seed=0)", False),  # means something else
-        ("run(name, *, seed=0)", "run(file, *, seed=0)", False),
-        ("run(steps, file)", "run(file, steps)", False),
-        ("run(file, *, seed=0)", "run(file, seed=0)", False),  # by place no more
-        ("go(file)", "run(file)", False),
-        ("State.seed", "State.seed", True),
-        ("State.time", "State.seed", False),
+        ("tests/python/pliant.pyi.ref", "seed: int\n", "time: int\n", "python: State.seed: "),
+        ("tests/python/pliant.pyi.ref", "=0", "=1", "python: run(seed): Parameter default was "),
+        ("src/pliant/base/log.hpp", "int a", "int a, int b", "cpp: void f(int a);: is gone"),
+        ("tests/cli/help/pliant-run.help.txt", "--seed", "--sed", "commands: pliant run --seed: "),
+        ("tests/python/record/promised_files.ref", "mass", "m", "files: h5md: particles/mass: is "),
     ],
 )
-def test_calls_in_python_that_serve_an_old_one(new, old, serves):
-    assert listed_python.serves(new, old) is serves
+def test_what_is_gone_is_found(tagged, name, old, new, said):
+    assert interface.problems(tagged) == []
+    write(tagged, {name: FILES[name].replace(old, new)})
+    (found,) = interface.problems(tagged)
+    assert found.startswith(said)
+    assert found.endswith(" (since v1.2.3)")
+
+
+def test_the_laboratory_and_more_of_anything_break_nothing(tagged):
+    write(
+        tagged,
+        {
+            "tests/cli/help/pliant-bench.help.txt": "",
+            "tests/python/pliant.pyi.ref": FILES["tests/python/pliant.pyi.ref"].replace(
+                "seed: int=0", "seed: str=0, steps: int=1"
+            ),
+            "src/pliant/base/log.hpp": HEADER.replace("int a", "int a, int b = 0"),
+        },
+    )
+    assert interface.problems(tagged) == []
+
+
+def test_nothing_goes_within_a_major_version(tagged):
+    write(tagged, dict.fromkeys(FILES, "\n"))
+    assert len(interface.problems(tagged)) == 6
+    write(tagged, {"CMakeLists.txt": "project(pliant VERSION 2.0.0 LANGUAGES CXX)\n"})
+    assert interface.problems(tagged) == []
+
+
+def test_the_last_tag_is_that_of_the_highest_version(tagged):
+    assert interface.last_tag(tagged) == "v1.2.3"
+    in_git(tagged.root, "tag", "v1.10.0")
+    in_git(tagged.root, "tag", "v1.9.0")
+    assert interface.last_tag(tagged) == "v1.10.0"
+
+
+def test_overloads_are_told_apart():
+    text = "def f(a): ...\ndef f(b): ...\nclass A():\n    def f(self): ...\n"
+    assert listed_python.numbered(text) == text.replace("def f(b)", "def f_2(b)")
 
 
 @pytest.mark.parametrize(
@@ -93,28 +126,6 @@ def test_calls_in_python_that_serve_an_old_one(new, old, serves):
 )
 def test_declarations_in_cpp_that_serve_an_old_one(new, old, serves):
     assert listed_cpp.serves(new, old) is serves
-
-
-def project_with(tmp_path, version):
-    """A project of this version, of whose Python list two lines were in 1.4.0."""
-    (tmp_path / "CMakeLists.txt").write_text(f"project(pliant VERSION {version} LANGUAGES CXX)\n")
-    folder = tmp_path / interface.LISTS / "1.4.0"
-    folder.mkdir(parents=True)
-    (folder / "python.txt").write_text("f(a)\ng(a)\n")
-    return Project(tmp_path)
-
-
-def test_nothing_goes_within_a_major_version(tmp_path):
-    project = project_with(tmp_path, "1.5.0")
-    assert interface.problems(project, "python", ["f(a)"]) == ["python: g(a): was in 1.4.0"]
-    (tmp_path / "CMakeLists.txt").write_text("project(pliant VERSION 2.0.0 LANGUAGES CXX)\n")
-    assert interface.problems(project, "python", ["f(a)"]) == []
-
-
-def test_the_last_list_is_that_of_the_highest_version(tmp_path):
-    project = project_with(tmp_path, "1.10.0")
-    (tmp_path / interface.LISTS / "1.10.0").mkdir()
-    assert interface.versions(project) == ["1.4.0", "1.10.0"]
 
 
 def test_data_of_a_type_is_one_line_and_each_function_another():
