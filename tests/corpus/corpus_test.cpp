@@ -10,8 +10,7 @@
 
 #include "corpus/structure_text.hpp"
 
-namespace pliant {
-namespace corpus_test {
+namespace pliant::corpus_test {
 
 std::vector<CorpusCase> all_cases() {
   std::vector<CorpusCase> cases;
@@ -73,5 +72,4 @@ TEST(CorpusFolder, NumbersFollowEachOther) {
   }
 }
 
-}  // namespace corpus_test
-}  // namespace pliant
+}  // namespace pliant::corpus_test

@@ -10,8 +10,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/read/read.hpp"
 
-namespace pliant {
-namespace mutation_test {
+namespace pliant::mutation_test {
 
 bool is_printable(std::string_view message) {
   return std::all_of(message.begin(), message.end(), [](char c) { return c >= ' ' && c <= '~'; });
@@ -91,5 +90,4 @@ TEST_P(Mutation, IsReadOrRefused) {
 INSTANTIATE_TEST_SUITE_P(Formats, Mutation, testing::ValuesIn(corpus_folders),
                          [](const auto& row) { return std::string(row.param); });
 
-}  // namespace mutation_test
-}  // namespace pliant
+}  // namespace pliant::mutation_test

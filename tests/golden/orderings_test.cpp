@@ -9,8 +9,7 @@
 #include "pliant/order/ordering.hpp"
 #include "pliant/order/ordering_file.hpp"
 
-namespace pliant {
-namespace orderings_test {
+namespace pliant::orderings_test {
 
 /// "ab bc *ca": a letter a joint from its near end as far as the bar is a tree bar, ends of
 /// non-tree bars in alphabetical order after a star.
@@ -123,5 +122,4 @@ TEST(PrintedOrderings, Figure5_2AsAFile) {
   EXPECT_EQ(printed(framework, stated), "ab ac af bd ce fg *de *eg");
 }
 
-}  // namespace orderings_test
-}  // namespace pliant
+}  // namespace pliant::orderings_test

@@ -10,8 +10,7 @@
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 
-namespace pliant {
-namespace bond_law_test {
+namespace pliant::bond_law_test {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -206,5 +205,4 @@ TEST(BondLaw, FrameworksHaveABarOfEachBondAndAngle) {
   });
 }
 
-}  // namespace bond_law_test
-}  // namespace pliant
+}  // namespace pliant::bond_law_test

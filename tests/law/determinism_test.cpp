@@ -10,8 +10,7 @@
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace determinism_test {
+namespace pliant::determinism_test {
 
 /// The positions of all frames of a run of 200 steps, step by step.
 std::uint64_t hash_of_run(const Sketch& sketch, std::string_view perturbation,
@@ -84,5 +83,4 @@ TEST(Determinism, LocalTechniquesGiveTheseBits) {
   EXPECT_EQ(hash_of_runs("force", {"blocks"}), 12935495421400711860u);
 }
 
-}  // namespace determinism_test
-}  // namespace pliant
+}  // namespace pliant::determinism_test

@@ -14,8 +14,7 @@
 #include "pliant/resolve/walkers.hpp"
 #include "support/error_text.hpp"
 
-namespace pliant {
-namespace limit_law_test {
+namespace pliant::limit_law_test {
 
 using test::TechniqueLaw;
 
@@ -295,5 +294,4 @@ RC_GTEST_PROP(NeighbourList, AreThereHoweverManyJointsMove, ()) {
   }
 }
 
-}  // namespace limit_law_test
-}  // namespace pliant
+}  // namespace pliant::limit_law_test

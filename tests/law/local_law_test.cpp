@@ -14,8 +14,7 @@
 #include "support/frameworks.hpp"
 #include "support/molecules.hpp"
 
-namespace pliant {
-namespace local_law_test {
+namespace pliant::local_law_test {
 
 struct Molecule {
   Framework framework;
@@ -197,5 +196,4 @@ TEST(LocalLaw, AStretchedChainStaysWhole) {
   EXPECT_TRUE(is_whole(framework, x, {1e-8}));
 }
 
-}  // namespace local_law_test
-}  // namespace pliant
+}  // namespace pliant::local_law_test

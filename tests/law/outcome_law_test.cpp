@@ -6,8 +6,7 @@
 #include "pliant/framework/measures/residual.hpp"
 #include "support/rigidity.hpp"
 
-namespace pliant {
-namespace outcome_law_test {
+namespace pliant::outcome_law_test {
 
 class OutcomeLaw : public test::TechniqueLaw {};
 
@@ -171,5 +170,4 @@ TEST_P(OutcomeLaw, PinnedJointsDoNotMove) {
 
 PLIANT_FOR_ALL_TECHNIQUES(OutcomeLaw);
 
-}  // namespace outcome_law_test
-}  // namespace pliant
+}  // namespace pliant::outcome_law_test

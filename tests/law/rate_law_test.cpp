@@ -13,8 +13,7 @@
 #include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace rate_law_test {
+namespace pliant::rate_law_test {
 
 /// Largest relative residuals after 0, 1, 2, ... sweeps of `input` with weighting 0.5.
 std::vector<double> errors_by_sweep(const Framework& framework, std::vector<Vec3> x,
@@ -154,5 +153,4 @@ TEST(Rate, PeaucelliersProductComesBack) {
   }
 }
 
-}  // namespace rate_law_test
-}  // namespace pliant
+}  // namespace pliant::rate_law_test

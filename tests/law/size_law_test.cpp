@@ -16,8 +16,7 @@
 #include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace size_law_test {
+namespace pliant::size_law_test {
 
 /// Runs `work` in a thread with a stack of 256 KiB; a recursion a joint deep would not survive it.
 void on_a_small_stack(std::function<void()> work) {
@@ -117,5 +116,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Large{"complete_200", [] { return complete(200); }, 19900 - 199, 0, 1}),
     [](const auto& row) { return std::string(row.param.name); });
 
-}  // namespace size_law_test
-}  // namespace pliant
+}  // namespace pliant::size_law_test

@@ -15,8 +15,7 @@
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace tree_law_test {
+namespace pliant::tree_law_test {
 
 /// A random forest: each joint but the first hangs on a random earlier one, or (one in sixteen)
 /// begins a tree of its own. Bars are in a random order, with random first ends.
@@ -160,5 +159,4 @@ INSTANTIATE_TEST_SUITE_P(Orderings, TreeLaw,
                          testing::Values("bfs_tree", "dfs_tree", "bfs_cycle", "dfs_cycle"),
                          [](const auto& row) { return std::string(row.param); });
 
-}  // namespace tree_law_test
-}  // namespace pliant
+}  // namespace pliant::tree_law_test

@@ -18,8 +18,7 @@
 #include "support/source_folder.hpp"
 #include "support/temp_directory.hpp"
 
-namespace pliant {
-namespace shared_things_test {
+namespace pliant::shared_things_test {
 
 constexpr int thread_count = 4;
 
@@ -91,5 +90,4 @@ TEST(SharedThings, EachThreadRecordsAndReadsAFile) {
   EXPECT_EQ(frames, std::vector<std::int64_t>(thread_count, 51));
 }
 
-}  // namespace shared_things_test
-}  // namespace pliant
+}  // namespace pliant::shared_things_test

@@ -8,8 +8,7 @@
 #include "pliant/base/error.hpp"
 #include "support/error_text.hpp"
 
-namespace pliant {
-namespace option_fields_test {
+namespace pliant::option_fields_test {
 
 struct Place {
   double left = 0.5;
@@ -143,5 +142,4 @@ TEST(OptionFields, WhatATaskChoosesIsLeftOpen) {
   EXPECT_EQ(options.colour, "any");
 }
 
-}  // namespace option_fields_test
-}  // namespace pliant
+}  // namespace pliant::option_fields_test

@@ -6,10 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "pliant/base/error.hpp"
+#include "pliant/framework/fingerprint.hpp"
+#include "pliant/framework/joint_names.hpp"
+#include "pliant/framework/limits.hpp"
+#include "pliant/lab/examples/examples.hpp"
 #include "support/error_text.hpp"
 
-namespace pliant {
-namespace framework_test {
+namespace pliant::framework_test {
 
 std::shared_ptr<const AtomTable> three_atoms() {
   return std::make_shared<AtomTable>(
@@ -244,5 +248,99 @@ TEST(Framework, KeepsDrawnPositionsThatFitItsBars) {
             "framework: 2 joints but 1 drawn positions");
 }
 
-}  // namespace framework_test
-}  // namespace pliant
+std::string fault_of(const Limit& limit) {
+  return test::error_text<InputError>([&] {
+    Framework({.joint_count = 4, .bars = {{0, 1}}, .rest_lengths = {1.5}, .limits = {limit}});
+  });
+}
+
+TEST(Limit, ItsExcessIsSigned) {
+  const Limit limit{.a = 0, .b = 1, .least = 2.0, .most = 3.0};
+  EXPECT_EQ(excess(limit, 3.5), 0.5);
+  EXPECT_EQ(excess(limit, 1.5), -0.5);
+  EXPECT_EQ(excess(limit, 2.0), 0.0);
+  EXPECT_EQ(excess(limit, 3.0), 0.0);
+}
+
+TEST(Limit, KindsHaveNames) {
+  for (const LimitKindEntry& row : limit_kinds()) EXPECT_EQ(find_limit_kind(row.name), row.kind);
+  EXPECT_THROW(find_limit_kind("cable"), OptionError);
+}
+
+TEST(Limit, WhatCannotBeIsRefused) {
+  EXPECT_EQ(fault_of({.a = 0, .b = 2, .most = 1.0}), test::no_error);
+  EXPECT_EQ(fault_of({.a = 0, .b = 9}), "limit 0 joins joints 0 and 9 but there are 4 joints");
+  EXPECT_EQ(fault_of({.a = 2, .b = 2}), "limit 0 joins joint 2 to itself");
+  EXPECT_EQ(fault_of({.a = 1, .b = 0}), "limit 1 - 0 has a bar already, of 1.5 Angstrom");
+  EXPECT_EQ(fault_of({.a = 0, .b = 2, .least = 2.0, .most = 1.0}),
+            "limit 0 - 2 has least distance 2 above most 1 Angstrom");
+  EXPECT_EQ(fault_of({.a = 0, .b = 2, .least = -1.0}),
+            "limit 0 - 2 has least distance -1: must be from 0 to 1e150 Angstrom");
+  EXPECT_EQ(fault_of({.a = 0, .b = 2, .most = std::nan("")}),
+            "limit 0 - 2 has most distance nan: must be above 0, up to 1e150 Angstrom or infinite");
+  EXPECT_EQ(fault_of({.a = 0, .b = 2, .energy = std::nan("")}),
+            "limit 0 - 2 has energy nan: must be finite");
+}
+
+TEST(Limit, JointsKnowTheirLimits) {
+  const Framework framework(
+      {.joint_count = 4, .limits = {{.a = 0, .b = 2}, {.a = 3, .b = 0}, {.a = 2, .b = 3}}});
+  const auto at = framework.limits_at(0);
+  EXPECT_EQ(std::vector<LimitIndex>(at.begin(), at.end()), (std::vector<LimitIndex>{0, 1}));
+  EXPECT_TRUE(framework.limits_at(1).empty());
+}
+
+TEST(JointNames, AreIndicesWhereThereAreNone) {
+  const Framework framework = framework_of(chain(3));
+  const JointNames names(framework);
+  EXPECT_EQ(names.find("2", {"f.txt", 1}), 2u);
+  EXPECT_EQ(names.word_for(1, "force file"), "1");
+  EXPECT_EQ(test::error_text<InputError>([&] {
+              names.find("3", {"f.txt", 1});
+            }),
+            "f.txt:1: joint: no joint is named \"3\"");
+  EXPECT_EQ(test::error_text<InputError>([&] {
+              names.find("-0x1", {"f.txt", 1});
+            }),
+            "f.txt:1: joint: no joint is named \"-0x1\"");
+}
+
+AtomTable two_atoms() {
+  AtomTable atoms;
+  atoms.names = {"C", "A1"};
+  atoms.elements = {6, 0};
+  atoms.residue_of = {0, 0};
+  atoms.residues = {{"LIG", 1, ' ', "A"}};
+  atoms.serials = {1, 2};
+  return atoms;
+}
+
+const std::vector<Vec3> places{{1.0, 2.0, 3.0}, {-0.5, 0.0, 1e-300}};
+
+/// The offset basis, and 1.0 as the bytes 00 00 00 00 00 00 f0 3f, worked out apart with Python's
+/// whole numbers.
+TEST(Fingerprint, IsFnv1aOfTheBytes) {
+  EXPECT_EQ(fingerprint(std::span<const Vec3>{}), 0xcbf29ce484222325u);
+  EXPECT_EQ(fingerprint_text(fingerprint(std::vector<Vec3>{{1.0, 0.0, 0.0}})), "bd85f5df2322cbb8");
+}
+
+TEST(Fingerprint, IsOfAnotherStructureWhereAnythingDiffers) {
+  const std::uint64_t one = fingerprint(two_atoms(), places);
+  AtomTable other = two_atoms();
+  other.names = {"CA", "1"};
+  EXPECT_NE(fingerprint(other, places), one);
+  other = two_atoms();
+  other.elements[0] = 7;
+  EXPECT_NE(fingerprint(other, places), one);
+  other = two_atoms();
+  other.residues[0].name = "ALA";
+  EXPECT_NE(fingerprint(other, places), one);
+  std::vector<Vec3> moved = places;
+  moved[1].y = -0.0;
+  EXPECT_NE(fingerprint(two_atoms(), moved), one);
+  other = two_atoms();
+  other.residues[0].chain = "B";
+  EXPECT_EQ(fingerprint(other, places), one);
+}
+
+}  // namespace pliant::framework_test

@@ -4,17 +4,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <limits>
+
 #include "pliant/base/error.hpp"
+#include "pliant/molecule/bars_file.hpp"
 #include "support/error_text.hpp"
+#include "support/temp_directory.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::build_framework_test {
 
 using namespace test;
-namespace build_framework_test {
-
-using ::testing::DoubleNear;
-using ::testing::ElementsAre;
+using testing::DoubleNear;
+using testing::ElementsAre;
 
 /// Bonds between consecutive atoms, and the last with the first where `closed`.
 Structure chain_of(const std::vector<std::pair<const char*, Vec3>>& atoms, bool closed = false) {
@@ -171,5 +174,118 @@ TEST(BuildFramework, RefusesASelectionOfNothing) {
             "pin: selection \"name CA\" names no atom");
 }
 
-}  // namespace build_framework_test
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Carbons along x, 1.5 Angstrom apart, and an oxygen at the end; a bond between neighbours.
+Structure chain() {
+  Structure s = molecule({{"C", {}}, {"C", {1.5, 0, 0}}, {"C", {3, 0, 0}}, {"O", {4.5, 0, 0}}});
+  s.source = "some.xyz";
+  for (std::uint32_t i = 0; i < 3; ++i) s.bonds.push_back({i, i + 1});
+  return s;
+}
+
+Framework joints_of(const Structure& s) {
+  return Framework({.joint_count = s.size(), .atoms = std::make_shared<const AtomTable>(s.atoms)});
+}
+
+BarsFile parse(const std::string& lines, const Framework& joints = joints_of(chain())) {
+  return parse_bars_file({"b.txt", "pliant-bars 1\n" + lines}, joints);
+}
+
+Framework framework_of(const Structure& s, const std::string& lines,
+                       const std::filesystem::path& path) {
+  std::ofstream(path) << "pliant-bars 1\n" << lines;
+  BuildOptions options;
+  take_bars(path.string(), s, options);
+  return build_framework(s, options);
+}
+
+Framework framework_of(const Structure& s, const std::string& lines) {
+  const test::TempDirectory directory;
+  return framework_of(s, lines, directory / "bars.txt");
+}
+
+TEST(BarsFile, HoldsBarsAndLimits) {
+  const BarsFile file = parse(
+      "bars bonds\nbar 0 2\nbar 0 3 4.25\nlimit 1 3 2.5 inf\n"
+      "limit 0 3 0 3.5 hydrogen_bond -12.5 3\n");
+  EXPECT_EQ(file.bars, BarKind::bonds);
+  EXPECT_EQ(file.stated, (std::vector<StatedBar>{{{0, 2}, std::nullopt}, {{0, 3}, 4.25}}));
+  EXPECT_EQ(file.limits,
+            (std::vector<Limit>{{1, 3, 2.5, infinity},
+                                {0, 3, 0.0, 3.5, LimitKind::hydrogen_bond, -12.5, 3}}));
+  EXPECT_FALSE(file.sterics);
+  EXPECT_EQ(parse("").bars, BarKind::none);
+}
+
+TEST(BarsFile, KindsOfJointAreElementsUnlessSaid) {
+  const BarsFile file = parse("kind 1 Q\nkind 2 none\nsterics Q C 3\nsterics C C 2.5\nown 0 3 1\n");
+  ASSERT_TRUE(file.sterics);
+  const auto& [sterics, names] = *file.sterics;
+  EXPECT_EQ(names, (std::vector<std::string>{"C", "Q", ""}));
+  EXPECT_EQ(sterics.kinds, (std::vector<std::uint16_t>{0, 1, 2, 2}));
+  EXPECT_EQ(sterics.least, (std::vector<double>{2.5, 3, 0, 3, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(sterics.own, (std::vector<OwnDistance>{{0, 3, 1.0}}));
+  EXPECT_EQ(sterics.excluded_bonds, 3);
+  check(sterics, 4);
+}
+
+TEST(BarsFile, IsReadBackToTheSameBits) {
+  const std::string lines =
+      "bars angles\nbar 0 O 4.25\nbar 1 O\nlimit 0 1 0.1 inf given 0\n"
+      "limit 0 2 1e-300 3.0000000000000004 torsion 0.30000000000000004 7\n"
+      "sterics C C 2.5\nsterics C Q 0.1\nsterics Q Q 0\n"
+      "kind 1 Q\nkind 2 none\nown O 0 1.7\nbonds_apart 4\n";
+  const Framework joints = joints_of(chain());
+  EXPECT_EQ(write_bars_file(parse(lines), joints), "pliant-bars 1\n" + lines);
+}
+
+TEST(BarsFile, SaysWhatNoLineCanState) {
+  BarsFile file = parse("sterics C C 2.5\n");
+  file.sterics->sterics.units.assign(4, no_unit);
+  EXPECT_EQ(test::error_text<InputError>([&] { write_bars_file(file, joints_of(chain())); }),
+            "bars file: no line can state units and bonds of sterics");
+  file = parse("sterics C C 2.5\n");
+  file.sterics->kind_names = {"a b", ""};
+  EXPECT_EQ(test::error_text<InputError>([&] { write_bars_file(file, joints_of(chain())); }),
+            "bars file: expected names of the kinds of joint, ascending, the last empty");
+}
+
+TEST(TakeBars, PutsStatedBarsInThePlaceOfBonds) {
+  const Framework f = framework_of(chain(), "bars bonds\nbar 2 1 1.75\nbar 0 3\n");
+  EXPECT_EQ(std::vector(f.bars().begin(), f.bars().end()),
+            (std::vector<Bar>{{0, 1}, {1, 2}, {2, 3}, {0, 3}}));
+  EXPECT_EQ(std::vector(f.rest_lengths().begin(), f.rest_lengths().end()),
+            (std::vector<double>{1.5, 1.75, 1.5, 4.5}));
+  EXPECT_TRUE(f.drawn().empty());
+  EXPECT_EQ(framework_of(chain(), "bars bonds\nbar 0 3\n").drawn().size(), 4u);
+}
+
+TEST(TakeBars, BuildsFrameworksWithLimitsAndSterics) {
+  const Framework f = framework_of(chain(), "limit 0 3 1 2\nsterics C O 3\n");
+  EXPECT_EQ(f.bar_count(), 0u);
+  ASSERT_EQ(f.limits().size(), 1u);
+  ASSERT_NE(f.sterics(), nullptr);
+  EXPECT_EQ(f.sterics()->of_kinds(0, 3), 3.0);
+  EXPECT_EQ(f.sterics()->of_kinds(0, 1), 0.0);
+}
+
+TEST(TakeBars, TakesNamesToo) {
+  BuildOptions options;
+  take_bars("angles", chain(), options);
+  EXPECT_EQ(options.bars, BarKind::angles);
+  EXPECT_EQ(
+      test::error_text<OptionError>([&] { take_bars("bond", chain(), options); }),
+      "no kind of bars (or bars file) named \"bond\" (did you mean \"bonds\"?); known: bonds, "
+      "angles, none");
+}
+
+TEST(TakeBars, NamesTheFileOfALimitThatABarForbids) {
+  const test::TempDirectory directory;
+  const auto path = directory / "bars.txt";
+  EXPECT_EQ(test::error_text<InputError>(
+                [&] { framework_of(chain(), "bars bonds\nlimit 0 1 1 2\n", path); }),
+            path.string() + ": limit C(1) - C(2) has a bar already, of 1.5 Angstrom");
+}
+
 }  // namespace pliant::build_framework_test

@@ -4,18 +4,24 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/random.hpp"
 #include "pliant/path/sequence.hpp"
+#include "pliant/path/shared_contacts.hpp"
 #include "support/error_text.hpp"
+#include "unit/molecule/made_structure.hpp"
 
 namespace pliant::matching_test {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::SizeIs;
-using ::testing::StrEq;
+using namespace test;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StrEq;
 
 std::string name_of(char letter) {
   for (const ResidueLetter& row : amino_acid_letters())
@@ -108,6 +114,125 @@ TEST(Trace, PhosphatesThatAreNoNucleotidesAreLeftOut) {
   ASSERT_EQ(trace.size(), 2U);
   EXPECT_EQ(trace[0].letter, 'A');
   EXPECT_EQ(trace[1].letter, unknown_letter);
+}
+
+/// The score of an alignment by its definition.
+int score(const std::string& ours, const std::string& theirs,
+          const std::vector<ResiduePair>& pairs) {
+  int sum = -2 * int(ours.size() + theirs.size() - 2 * pairs.size());
+  for (const auto& [i, j] : pairs) sum += ours[i] == theirs[j] ? 2 : -1;
+  return sum;
+}
+
+/// The best score of any alignment, by trying all.
+int best(const std::string& ours, const std::string& theirs, std::size_t i = 0, std::size_t j = 0) {
+  if (i == ours.size() || j == theirs.size()) return -2 * int(ours.size() - i + theirs.size() - j);
+  const int paired = (ours[i] == theirs[j] ? 2 : -1) + best(ours, theirs, i + 1, j + 1);
+  return std::max({paired, best(ours, theirs, i + 1, j) - 2, best(ours, theirs, i, j + 1) - 2});
+}
+
+std::string random_letters(RandomSequence& draws) {
+  std::string letters;
+  for (std::uint64_t length = draws.below(7); letters.size() < length;)
+    letters += "ACG"[draws.below(3)];
+  return letters;
+}
+
+TEST(Align, FindsABestAlignmentWhateverTheSequences) {
+  RandomSequence draws({.seed = 5});
+  for (int round = 0; round < 300; ++round) {
+    const std::string ours = random_letters(draws), theirs = random_letters(draws);
+    const auto pairs = align(ours, theirs);
+    EXPECT_EQ(score(ours, theirs, pairs), best(ours, theirs)) << ours << " " << theirs;
+    for (std::size_t k = 1; k < pairs.size(); ++k) {
+      EXPECT_LT(pairs[k - 1][0], pairs[k][0]);
+      EXPECT_LT(pairs[k - 1][1], pairs[k][1]);
+    }
+  }
+}
+
+TEST(Align, OfEqualWaysAPairComesBeforeAGapInTheirs) {
+  EXPECT_THAT(align("AA", "A"), ElementsAre(ResiduePair{1, 0}));
+  EXPECT_THAT(align("A", "AA"), ElementsAre(ResiduePair{0, 1}));
+  EXPECT_THAT(align("ACG", "AG"), ElementsAre(ResiduePair{0, 0}, ResiduePair{2, 1}));
+  EXPECT_THAT(align("", "ACG"), IsEmpty());
+}
+
+TEST(Letters, AreKnownByTheNamesOfForceFieldsToo) {
+  EXPECT_EQ(letter_of("LYS", amino_acid_letters()), 'K');
+  EXPECT_EQ(letter_of("HSD", amino_acid_letters()), 'H');
+  EXPECT_EQ(letter_of("DT", nucleotide_letters()), 'T');
+  EXPECT_EQ(letter_of("ATP", nucleotide_letters()), unknown_letter);
+}
+
+constexpr auto bond = MolecularContactKind::hydrogen_bond;
+constexpr auto tether = MolecularContactKind::hydrophobic;
+
+/// ASP, LYS and an ion; `swapped` has the names of both O of ASP the other way round.
+Structure salt(bool swapped, std::int64_t ion = 900) {
+  Structure s;
+  add_residue(s, "ASP", 1,
+              {{swapped ? "OD2" : "OD1", "O", {}}, {swapped ? "OD1" : "OD2", "O", {2, 0, 0}}});
+  add_residue(s, "LYS", 2, {{"NZ", "N", {3, 0, 0}}});
+  add_residue(s, "ZN", ion, {{"ZN", "Zn", {5, 0, 0}}});
+  return s;
+}
+
+MolecularContact contact(MolecularContactKind kind, std::uint32_t a, std::uint32_t b) {
+  MolecularContact one;
+  one.kind = kind;
+  one.a = a;
+  one.b = b;
+  return one;
+}
+
+SharedContacts shared(const Structure& ours, const std::vector<MolecularContact>& our_contacts,
+                      const Structure& theirs,
+                      const std::vector<MolecularContact>& their_contacts) {
+  const ResiduePairing all = with_ligands(ours, theirs, {{0, 1}, {0, 1}});
+  const MatchedAtoms here(ours, all.ours), there(theirs, all.theirs);
+  return share_contacts(our_contacts, here, their_contacts, there);
+}
+
+TEST(SharedContacts, AtomsThatAreAlikeAreOne) {
+  const Structure ours = salt(false), theirs = salt(true);
+  const auto found = shared(ours, {contact(bond, 2, 0)}, theirs, {contact(bond, 2, 0)});
+  EXPECT_THAT(found.ours, SizeIs(1));
+  EXPECT_THAT(found.theirs, SizeIs(1));
+  EXPECT_THAT(found.only_ours, IsEmpty());
+}
+
+TEST(SharedContacts, JoinInEitherOrderButOfOneKind) {
+  const Structure s = salt(false);
+  EXPECT_THAT(shared(s, {contact(tether, 2, 0)}, s, {contact(tether, 0, 2)}).ours, SizeIs(1));
+  const auto other = shared(s, {contact(tether, 2, 0)}, s, {contact(bond, 2, 0)});
+  EXPECT_THAT(other.ours, IsEmpty());
+  EXPECT_THAT(other.only_ours, SizeIs(1));
+  EXPECT_THAT(other.only_theirs, SizeIs(1));
+}
+
+TEST(SharedContacts, ThoseOfWhatIsNotMatchedAreInNone) {
+  const Structure ours = salt(false), theirs = salt(false, 901);
+  const auto found = shared(ours, {contact(bond, 3, 0)}, theirs, {contact(bond, 3, 0)});
+  EXPECT_THAT(found.ours, IsEmpty());
+  EXPECT_THAT(found.only_ours, IsEmpty());
+  EXPECT_THAT(found.only_theirs, IsEmpty());
+}
+
+TEST(SharedContacts, LigandsAreMatchedByChainNumberAndName) {
+  const Structure s = salt(false);
+  EXPECT_THAT(with_ligands(s, s, {{0, 1}, {0, 1}}).ours, ElementsAre(0, 1, 2));
+  EXPECT_THAT(with_ligands(s, salt(false, 901), {{0, 1}, {0, 1}}).ours, ElementsAre(0, 1));
+  EXPECT_THAT(shared(s, {contact(bond, 3, 0)}, s, {contact(bond, 3, 0)}).ours, SizeIs(1));
+}
+
+TEST(SharedContacts, OutsideIsHowFarADistanceIsFromItsInterval) {
+  MolecularContact one = contact(tether, 0, 1);
+  one.least = 1.0;
+  one.most = 2.0;
+  EXPECT_EQ(outside(one, std::vector<Vec3>{{}, {0.25, 0, 0}}), 0.75);
+  EXPECT_EQ(outside(one, std::vector<Vec3>{{}, {1.5, 0, 0}}), 0.0);
+  EXPECT_EQ(outside(one, std::vector<Vec3>{{}, {4.0, 0, 0}}), 2.0);
 }
 
 }  // namespace pliant::matching_test

@@ -4,19 +4,25 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/math/superposition.hpp"
+#include "pliant/path/detour.hpp"
+#include "pliant/path/march.hpp"
+#include "pliant/path/path_walker.hpp"
+#include "pliant/path/turn_ways.hpp"
 #include "support/error_text.hpp"
 #include "unit/path/bent_helix.hpp"
 
 namespace pliant::path_test {
 
-using ::testing::Each;
-using ::testing::HasSubstr;
-using ::testing::Lt;
-using ::testing::SizeIs;
+using testing::Each;
+using testing::HasSubstr;
+using testing::Lt;
+using testing::SizeIs;
 
 /// r.m.s. distance of the alpha carbons of a frame from those of a structure, superposed.
 double apart(const MolecularPath& path, const std::vector<Vec3>& frame, const Structure& end) {
@@ -184,6 +190,129 @@ TEST(PathEnds, HeavyAtomsAreThoseOfTheSameName) {
     EXPECT_EQ(ends.goal[k], structure.positions[ends.start.asked[k]]);
   }
   EXPECT_THAT(ends.start.leader, Each(Lt(20U)));
+}
+
+/// Two helices, one turned by 150 degrees: no straight line leads from one end to the other.
+class TurnedHelix : public testing::Test {
+ protected:
+  const Structure start = helix(), end = bent_at_c(start, 10, 150.0);
+};
+
+TEST_F(TurnedHelix, IsReachedEitherWay) {
+  for (const auto& [from, to] : {std::pair{&start, &end}, {&end, &start}}) {
+    const MolecularPath path = find_path(*from, *to);
+    EXPECT_TRUE(path.has_arrived);
+    EXPECT_GT(path.turned, 135.0);
+    EXPECT_LT(path.turned, 225.0);
+    EXPECT_NEAR(path.frames.front().from_start, 0.0, 1e-9);
+    EXPECT_LT(worst_bar(path), 1e-10);
+    for (const PathFrame& frame : path.frames) {
+      EXPECT_LT(frame.held_off, 0.011) << frame.step;
+      EXPECT_LT(frame.overlap, 0.11) << frame.step;
+    }
+  }
+}
+
+TEST_F(TurnedHelix, HasTheSameBitsInEachOfSeveralThreads) {
+  const auto walk = [this] { return find_path(end, start).positions; };
+  auto one = std::async(std::launch::async, walk), other = std::async(std::launch::async, walk);
+  const auto here = walk();
+  EXPECT_EQ(one.get(), here);
+  EXPECT_EQ(other.get(), here);
+}
+
+TEST_F(TurnedHelix, IsGoneToBothWaysRound) {
+  const PathEnds ends = match_ends(start, end);
+  const std::vector<TurnWay> found = find_turn_ways(ends.start, ends.goal);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found[0].angle + found[1].angle, 360.0, 1e-9);
+  EXPECT_NEAR(std::min(found[0].angle, found[1].angle), 150.0, 15.0);
+  EXPECT_LE(found[0].clashes, found[1].clashes);
+  for (const TurnWay& way : found) {
+    EXPECT_EQ(way.goals.back(), ends.goal);
+    EXPECT_GT(way.goals.size(), 4U);
+    std::vector<Vec3> before = asked_of(ends.start, ends.start.model.positions);
+    for (const std::vector<Vec3>& goal : way.goals) {
+      EXPECT_LT(rms(ways(before, goal)), 2.0);
+      before = goal;
+    }
+  }
+}
+
+TEST(TurnWays, SmallTurnsHaveNone) {
+  const PathEnds ends = match_ends(helix(), bent(helix(), 9, 30.0));
+  EXPECT_TRUE(find_turn_ways(ends.start, ends.goal).empty());
+}
+
+TEST(TurnWays, TheStraightWayComesFirst) {
+  const MolecularPath path = find_path(helix(), bent(helix(), 9, 60.0));
+  EXPECT_TRUE(path.has_arrived);
+  EXPECT_EQ(path.turned, 0.0);
+}
+
+TEST(Patience, IsOverWhereEightStepsGainTooLittle) {
+  Patience patience(0.2, 1.0);
+  for (int step = 0; step < 7; ++step) EXPECT_FALSE(patience.is_over(0.999)) << step;
+  EXPECT_TRUE(patience.is_over(0.999));
+}
+
+TEST(Patience, IsNotOverWhileStepsGain) {
+  Patience patience(0.2, 1.0);
+  for (int step = 1; step < 40; ++step) EXPECT_FALSE(patience.is_over(1.0 - 0.0026 * step)) << step;
+}
+
+TEST(Patience, IsOverAtTheGoal) { EXPECT_TRUE(Patience(0.2, 1.0).is_over(1e-7)); }
+
+TEST(Patience, AsksForLessOfSmallSteps) {
+  Patience patience(0.01, 1.0);
+  for (int step = 1; step < 40; ++step) EXPECT_FALSE(patience.is_over(1.0 - 0.0006 * step)) << step;
+}
+
+TEST(Way, FirstPlacesAreWithoutNotes) {
+  Way way;
+  for (int k = 0; k < 3; ++k) way.add(std::make_shared<const PathPlace>(), double(k));
+  way.notes.emplace_back("ended");
+  const Way first = way.first(2);
+  EXPECT_EQ(first.places.size(), 2U);
+  EXPECT_EQ(first.left, (std::vector<double>{0.0, 1.0}));
+  EXPECT_TRUE(first.notes.empty());
+}
+
+TEST(Ways, LeadToTheGoalWhereverItLies) {
+  const std::vector<Vec3> here{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
+  std::vector<Vec3> goal;
+  for (Vec3 x : here) goal.push_back(Vec3{-x.y, x.x, x.z} + Vec3{7, 8, 9});  // turned and shifted
+  EXPECT_LT(rms(ways(here, goal)), 1e-14);
+  EXPECT_EQ(rms({}), 0.0);
+}
+
+/// By NumPy: numbers of np.random.Philox(key=[9, 2]), smoothed by np.exp.
+TEST(SmoothField, IsNumpysNoiseSmoothedAlongTheResidues) {
+  const std::vector<Vec3> expected{{0.435407317830388, -0.544916922898782, -0.150685811439069},
+                                   {0.597467749312418, -0.507064239336695, -0.160334902789632},
+                                   {0.751039964457104, -0.441641205247073, -0.16282945032068},
+                                   {0.87370789230756, -0.363110124701447, -0.157947383844347},
+                                   {0.9467750813822, -0.286682564406719, -0.146390069809795},
+                                   {0.959895403478058, -0.223636646676238, -0.129628732192128},
+                                   {0.913387206529687, -0.178627107115408, -0.109624053720895}};
+  const std::vector<Vec3> field = smooth_field(7, 2, 9);
+  ASSERT_EQ(field.size(), expected.size());
+  for (std::size_t k = 0; k < field.size(); ++k)
+    EXPECT_LT(distance(field[k], expected[k]), 1e-13) << k;
+}
+
+TEST(SmoothField, ChangesSlowlyAlongALongChainAndIsOneAtMost) {
+  const std::vector<Vec3> field = smooth_field(500, 1, 0);
+  double longest = 0.0;
+  for (Vec3 direction : field) longest = std::max(longest, norm(direction));
+  EXPECT_NEAR(longest, 1.0, 1e-12);
+  for (std::size_t k = 1; k < field.size(); ++k) EXPECT_LT(distance(field[k - 1], field[k]), 0.4);
+}
+
+TEST(SmoothField, DependsOnSeedAndAttempt) {
+  EXPECT_EQ(smooth_field(20, 1, 0), smooth_field(20, 1, 0));
+  EXPECT_NE(smooth_field(20, 1, 0), smooth_field(20, 2, 0));
+  EXPECT_NE(smooth_field(20, 1, 0), smooth_field(20, 1, 1));
 }
 
 }  // namespace pliant::path_test

@@ -8,8 +8,7 @@
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace guide_test {
+namespace pliant::guide_test {
 
 /// Four joints on a line, 1 Angstrom apart, without bars; the last is pinned.
 Framework loose_line() {
@@ -132,5 +131,4 @@ TEST(Guide, NamesOfItsPushersAreThoseOfTheTable) {
   EXPECT_TRUE(pushers_of({}).empty());
 }
 
-}  // namespace guide_test
-}  // namespace pliant
+}  // namespace pliant::guide_test

@@ -14,8 +14,7 @@
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace pusher_test {
+namespace pliant::pusher_test {
 
 constexpr RandomKey seed_5{.seed = 5};
 
@@ -311,5 +310,4 @@ TEST(Steering, IsAskedFromManyThreads) {
   EXPECT_TRUE(is_finite(state.positions[0]));
 }
 
-}  // namespace pusher_test
-}  // namespace pliant
+}  // namespace pliant::pusher_test

@@ -14,10 +14,8 @@
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "unit/record/samples.hpp"
 #include "unit/record/write_calls.hpp"
-#include "unit/record/write_replay.hpp"
 
-namespace pliant {
-namespace crash_test {
+namespace pliant::crash_test {
 
 using namespace test;
 
@@ -59,7 +57,7 @@ TEST_P(KillTest, LeavesAllCommittedFrames) {
   const TempDirectory directory;
   WriteWatch watch;
   watch.keep = true;
-  H5mdRecorder recorder(directory / "run.h5md", chain(kill.joints), {},
+  H5mdRecorder recorder(directory / "run.h5md", named_chain(kill.joints), {},
                         {.compress = kill.compress, .flush_seconds = 1e9});
   WriteReplay replay(directory / "left.h5md");
   const auto catch_up = [&](auto look) {
@@ -110,7 +108,7 @@ struct Recorded {
 
 Recorded record_until_failure(const std::filesystem::path& path, std::size_t joints,
                               std::int64_t frames) {
-  H5mdRecorder recorder(path, chain(joints), {}, {.overwrite = true, .flush_seconds = 0.0});
+  H5mdRecorder recorder(path, named_chain(joints), {}, {.overwrite = true, .flush_seconds = 0.0});
   Recorded recorded;
   recorded.message = message_of<FileError>([&] {
     for (std::int64_t f = 0; f < frames; ++f) recorder.record(sample_frame(f, joints).frame);
@@ -186,7 +184,8 @@ TEST(SilentEnd, ExitWithoutDestructorLeavesTheCommittedFrames) {
   const TempDirectory directory;
   const pid_t child = ::fork();
   if (child == 0) {
-    auto* leaked = new H5mdRecorder(directory / "run.h5md", chain(5), {}, {.flush_seconds = 0.0});
+    auto* leaked =
+        new H5mdRecorder(directory / "run.h5md", named_chain(5), {}, {.flush_seconds = 0.0});
     for (std::int64_t f = 0; f < 3; ++f) leaked->record(sample_frame(f, 5).frame);
     std::exit(0);  // HDF5's exit handler closes the file
   }
@@ -196,5 +195,4 @@ TEST(SilentEnd, ExitWithoutDestructorLeavesTheCommittedFrames) {
   expect_intact(directory / "run.h5md", 3, 0);
 }
 
-}  // namespace crash_test
-}  // namespace pliant
+}  // namespace pliant::crash_test

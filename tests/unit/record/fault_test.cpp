@@ -13,10 +13,9 @@
 #include "pliant/base/error.hpp"
 #include "unit/record/recorded_runs.hpp"
 #include "unit/record/samples.hpp"
-#include "unit/record/write_replay.hpp"
+#include "unit/record/write_calls.hpp"
 
-namespace pliant {
-namespace fault_test {
+namespace pliant::fault_test {
 
 using namespace test;
 namespace fs = std::filesystem;
@@ -184,5 +183,4 @@ INSTANTIATE_TEST_SUITE_P(Frames, FaultTable,
                                            FaultCase{"large_compressed", 20'000, true, 5, true}),
                          [](const auto& fault) { return fault.param.name; });
 
-}  // namespace fault_test
-}  // namespace pliant
+}  // namespace pliant::fault_test

@@ -16,8 +16,7 @@
 #include "pliant/base/error.hpp"
 #include "unit/record/foreign_file.hpp"
 
-namespace pliant {
-namespace h5md_damage_test {
+namespace pliant::h5md_damage_test {
 
 using namespace test;
 using ::testing::ElementsAre;
@@ -250,5 +249,4 @@ TEST_F(H5mdDamageTest, RefusesConnectivityThatLeadsNowhere) {
             "/parameters/framework/rest_length has 5 values; expected 1");
 }
 
-}  // namespace h5md_damage_test
-}  // namespace pliant
+}  // namespace pliant::h5md_damage_test

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A small named framework and frames with known contents, for tests of the record folder.
+// A small named framework, frames with known contents and short recordings of them, for tests of
+// the record folder.
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +20,7 @@
 namespace pliant::test {
 
 /// N joints in a chain, two residues, the first joint pinned.
-inline Framework chain(std::size_t count) {
+inline Framework named_chain(std::size_t count) {
   FrameworkParts parts;
   parts.joint_count = count;
   auto atoms = std::make_shared<AtomTable>();
@@ -84,6 +88,33 @@ std::string message_of(Call call) {
     return error.what();
   }
   return "";
+}
+
+inline H5mdHeader sample_header() {
+  H5mdHeader header;
+  header.bonds = {{0, 1, 0, 1}, {1, 2, 3, 2}, {0, 3, 1, 4}};
+  header.bond_origin_names = {"file", "residue", "link", "distance"};
+  header.parameters = {{"run/seed", std::int64_t{-9'000'000'000}},
+                       {"run/tolerance", 1e-6},
+                       {"input/file", std::string("caff\xc3\xa9ine.xyz")},
+                       {"run/replayed", true}};
+  return header;
+}
+
+inline void record_frames(H5mdRecorder& recorder, std::size_t joints, std::int64_t frames) {
+  for (std::int64_t f = 0; f < frames; ++f) recorder.record(sample_frame(f, joints).frame);
+}
+
+inline void record_file(const std::filesystem::path& path, std::size_t joints, std::int64_t frames,
+                        const H5mdOptions& options = {}) {
+  H5mdRecorder recorder(path, named_chain(joints), sample_header(), options);
+  record_frames(recorder, joints, frames);
+  recorder.close();
+}
+
+inline std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace pliant::test

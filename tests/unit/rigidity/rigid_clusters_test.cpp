@@ -9,11 +9,12 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/lab/examples/examples.hpp"
+#include "pliant/rigidity/framework_rigidity.hpp"
+#include "pliant/rigidity/pebble_game.hpp"
 #include "support/error_text.hpp"
 #include "support/rigidity.hpp"
 
-namespace pliant {
-namespace rigid_clusters_test {
+namespace pliant::rigid_clusters_test {
 
 using Edges = std::vector<BodyEdge>;
 
@@ -164,5 +165,89 @@ TEST(FlexibilityIndices, AddUpToTheDegreesOfFreedom) {
   }
 }
 
-}  // namespace rigid_clusters_test
-}  // namespace pliant
+TEST(PebbleGame, TwoBodiesTakeSixBars) {
+  PebbleGame game(2);
+  EXPECT_EQ(game.add(0, 1, 5), 5u);
+  EXPECT_FALSE(game.are_locked(0, 1));
+  EXPECT_EQ(game.add(1, 0, 3), 1u);
+  EXPECT_TRUE(game.are_locked(0, 1));
+  EXPECT_EQ(game.add(0, 1, 2), 0u);
+  EXPECT_EQ(game.rank(), 6u);
+}
+
+TEST(PebbleGame, SixOrMoreBarsAtOnceMakeOneBody) {
+  PebbleGame game(3);
+  EXPECT_EQ(game.add(2, 1, 200), 6u);
+  EXPECT_EQ(game.cluster_of(2), 1u);
+  EXPECT_EQ(game.cluster_of(0), 0u);
+  EXPECT_EQ(game.add(0, 2, 0), 0u) << "no bars";
+}
+
+/// A body on three bars to each of two others is locked when these two are.
+TEST(PebbleGame, LocksABodyBetweenTwoThatAreLockedLater) {
+  PebbleGame game(3);
+  EXPECT_EQ(game.add(2, 0, 3), 3u);
+  EXPECT_EQ(game.add(2, 1, 3), 3u);
+  EXPECT_FALSE(game.are_locked(0, 2));
+  EXPECT_EQ(game.add(0, 1, 6), 6u);
+  EXPECT_TRUE(game.are_locked(0, 2));
+  EXPECT_TRUE(game.are_locked(1, 2));
+  EXPECT_EQ(game.cluster_of(2), 0u);
+}
+
+/// No recursion, and no search that grows with what is locked: seconds would be minutes.
+TEST(PebbleGame, CountsAHundredThousandBodiesInARowAndTheirClosing) {
+  constexpr std::uint32_t bodies = 100'000;
+  PebbleGame game(bodies);
+  for (std::uint32_t k = 0; k + 1 < bodies; ++k) ASSERT_EQ(game.add(k, k + 1, 5), 5u);
+  EXPECT_EQ(game.add(bodies - 1, 0, 5), 5u);
+  for (std::uint32_t k = 0; k + 6 < bodies; ++k) game.add(k, k + 6, 5);
+  EXPECT_EQ(game.rank(), 6u * (bodies - 1));
+  EXPECT_EQ(game.cluster_of(bodies - 1), 0u);
+}
+
+TEST(FrameworkRigidity, RanksOfExamplesAreThoseOfEigen) {
+  for (const Example& example : examples()) {
+    const FrameworkRigidity found = framework_rigidity(example.framework, example.positions);
+    if (example.framework.has_pinned_joints() || !example.facts.whole) continue;
+    EXPECT_EQ(found.rank.rank, test::rigidity_rank(example.framework, example.positions))
+        << example.name;
+    EXPECT_EQ(found.motions.of_whole, test::rigid_motions(example.positions)) << example.name;
+    EXPECT_GE(found.generic_rank.rank, found.rank.rank) << example.name;
+    EXPECT_GE(found.counted_rank, found.generic_rank.rank) << example.name;
+    EXPECT_EQ(found.parts, example.facts.components) << example.name;
+  }
+}
+
+/// A long chain and its angles: QR, whose bits and numbers are known.
+TEST(FrameworkRigidity, AChainOfTenThousandJointsTurnsAboutItsInnerBars) {
+  const Sketch sketch = with_angles(shaken(chain(10'000), 0.2));
+  const FrameworkRigidity found = framework_rigidity(framework_of(sketch), sketch.positions);
+  EXPECT_FALSE(found.rank.has_singular_values);
+  EXPECT_EQ(found.motions.internal(), 9'997u);
+  EXPECT_EQ(found.generic_motions.internal(), 9'997u);
+  EXPECT_EQ(found.counted_motions.internal(), 9'997u);
+  EXPECT_TRUE(found.overconstrained.empty());
+}
+
+TEST(FrameworkRigidity, OfCompleteGraphsAllBarsAreRedundant) {
+  for (const std::size_t joints : {5u, 12u, 30u}) {  // the last by QR
+    const Sketch sketch = complete(joints);
+    const FrameworkRigidity found = framework_rigidity(framework_of(sketch), sketch.positions);
+    EXPECT_EQ(found.rank.rank, 3 * joints - 6);
+    ASSERT_EQ(found.overconstrained.size(), 1u);
+    EXPECT_EQ(found.overconstrained[0].bars.size(), joints * (joints - 1) / 2);
+    EXPECT_EQ(found.overconstrained[0].joints, joints);
+    EXPECT_EQ(found.overconstrained[0].self_stresses, (joints - 3) * (joints - 4) / 2);
+    EXPECT_EQ(found.generic_rank.redundant, found.rank.redundant);
+  }
+}
+
+TEST(FrameworkRigidity, SayWhichPositionsAreWrong) {
+  const Framework bar = framework_of(straight_chain(2));
+  const std::vector<Vec3> one{{0, 0, 0}};
+  EXPECT_EQ(test::error_text<InputError>([&] { framework_rigidity(bar, one); }),
+            "positions: expected 2, one for each joint, found 1");
+}
+
+}  // namespace pliant::rigid_clusters_test

@@ -11,8 +11,7 @@
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace ensemble_test {
+namespace pliant::ensemble_test {
 
 using Hashes = std::map<std::uint64_t, std::uint64_t>;
 
@@ -202,5 +201,4 @@ TEST(Ensemble, RefusesWhatCannotBe) {
   EXPECT_EQ(refusal({5, 3}, 1), "shard = [5, 3): must not end before it begins");
 }
 
-}  // namespace ensemble_test
-}  // namespace pliant
+}  // namespace pliant::ensemble_test

@@ -10,8 +10,7 @@
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace run_test {
+namespace pliant::run_test {
 
 /// A frame whose positions outlive the call.
 struct Shown {
@@ -350,5 +349,4 @@ TEST(Run, OfLocalTechniquesShowsTrueNumbersToo) {
   }
 }
 
-}  // namespace run_test
-}  // namespace pliant
+}  // namespace pliant::run_test

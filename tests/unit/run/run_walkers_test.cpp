@@ -8,8 +8,7 @@
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 
-namespace pliant {
-namespace run_walkers_test {
+namespace pliant::run_walkers_test {
 
 struct Seen {
   std::vector<std::vector<Vec3>> frames;
@@ -162,5 +161,4 @@ TEST(RunWalkers, NoneIsNoError) {
   EXPECT_TRUE(run_walkers(framework, {}, options_of("force", "blocks")).empty());
 }
 
-}  // namespace run_walkers_test
-}  // namespace pliant
+}  // namespace pliant::run_walkers_test

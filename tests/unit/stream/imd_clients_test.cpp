@@ -8,8 +8,7 @@
 
 #include "imd_servers.hpp"
 
-namespace pliant {
-namespace imd_clients_test {
+namespace pliant::imd_clients_test {
 
 using test::operator+;
 using test::energy_of;
@@ -159,5 +158,4 @@ TEST_F(ImdServers, AddUpThePullsOfAllAndForgetThoseOfWhoHasGone) {
   walker.join();
 }
 
-}  // namespace imd_clients_test
-}  // namespace pliant
+}  // namespace pliant::imd_clients_test

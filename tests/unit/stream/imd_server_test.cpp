@@ -8,8 +8,7 @@
 #include "imd_servers.hpp"
 #include "support/error_text.hpp"
 
-namespace pliant {
-namespace imd_server_test {
+namespace pliant::imd_server_test {
 
 using test::operator+;
 using test::packet;
@@ -186,5 +185,4 @@ TEST(ImdServer, KnowsWhoReachesIt) {
   EXPECT_FALSE(ImdServer(3, options, std::make_shared<Steering>()).is_loopback());
 }
 
-}  // namespace imd_server_test
-}  // namespace pliant
+}  // namespace pliant::imd_server_test

@@ -12,8 +12,7 @@
 #include "imd_client.hpp"
 #include "support/error_text.hpp"
 
-namespace pliant {
-namespace imd_session_test {
+namespace pliant::imd_session_test {
 
 using test::bytes_of;
 using test::operator+;
@@ -301,5 +300,4 @@ TEST_F(ImdSessions, AreOverForSilence) {
   EXPECT_EQ(refusal(forces), "stopped in the middle of a packet");
 }
 
-}  // namespace imd_session_test
-}  // namespace pliant
+}  // namespace pliant::imd_session_test
