@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Prints the table of known pairs that python/pliant/analyse/shapes/known_pairs.py holds, and how
+"""Prints the table of known pairs that python/pliant/measure/shapes/known_pairs.py holds, and how
 well quartiles of pairs of like softness hold for a protein that is left out.
 
 Usage: .venv/bin/python data/make_known_pairs.py FOLDER...
@@ -12,8 +12,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from pliant.analyse.shapes.known_pairs import quartiles_of_like, softness
-from pliant.analysis.medoids import rmsd_to
+from pliant.measure.shapes.known_pairs import quartiles_of_like, softness
+from pliant.measure.shapes.medoids import rmsd_to
 from pliant.lab.coverage.directions import directions_of
 from pliant.lab.validity.references import read_quietly
 from scipy.stats import spearmanr

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Polygon
-from pliant.analyse.figures import style
+from pliant.report.figures import style
 from rdkit import Chem
 from rdkit.Chem import AllChem
 

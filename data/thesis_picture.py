@@ -5,7 +5,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from pliant.analyse.figures import style
+from pliant.report.figures import style
 from pliant.lab.experiment.claims import CLAIMS
 from pliant.lab.experiment.drawings import group_bars
 from pliant.lab.experiment.laboratory import run_experiment

@@ -18,9 +18,9 @@ class InterruptWatch {
   InterruptWatch() = default;
 
   /// Shows a bar in notebooks and on terminals, for `total` items called `what`, and looks as often
-  /// as pliant._progress says. Made and destroyed with the GIL held.
+  /// as pliant.base.progress says. Made and destroyed with the GIL held.
   InterruptWatch(const char* what, std::int64_t total) {
-    const nb::module_ progress = nb::module_::import_("pliant._progress");
+    const nb::module_ progress = nb::module_::import_("pliant.base.progress");
     interval_ = Seconds(nb::cast<double>(progress.attr("INTERVAL")));
     bar_ = progress.attr("begin")(what, total);
   }

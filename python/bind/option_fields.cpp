@@ -188,7 +188,7 @@ std::vector<NamedParameter> parameters_from(const nb::dict& values) {
 
 void refuse_unknown(nb::handle function, nb::tuple positional, nb::dict left) {
   if (left.size() == 0) return;
-  nb::module_::import_("pliant._refusals").attr("refuse_call")(function, positional, left);
+  nb::module_::import_("pliant.base.refusals").attr("refuse_call")(function, positional, left);
   throw nb::type_error("an argument does not fit");  // refuse_call() raises for a name unknown
 }
 

@@ -45,7 +45,7 @@ void improve_error(PyObject* function, PyObject* const* arguments, std::size_t c
     const nb::tuple given =
         arguments_from(nb::handle(function).type().attr("__name__").equal(nb::str("nb_method")),
                        arguments, count, names);
-    nb::module_::import_("pliant._refusals")
+    nb::module_::import_("pliant.base.refusals")
         .attr("refuse_call")(nb::handle(function), given[0], given[1]);
     error.restore();  // where nothing was found that does not fit
   } catch (nb::python_error& better) {
@@ -108,7 +108,7 @@ void name_unfit_arguments_in(nb::handle scope) {
 
 void refuse_argument(std::string_view name, nb::handle value, const char* type, nb::object least,
                      nb::object most) {
-  nb::module_::import_("pliant._refusals")
+  nb::module_::import_("pliant.base.refusals")
       .attr("refuse")(nb::str(name.data(), name.size()), value, type, least, most);
   throw nb::type_error("an argument does not fit");  // refuse() always raises
 }

@@ -11,7 +11,7 @@
 
 namespace pliant::python {
 
-/// Calls `refuse` of pliant._refusals, which raises TypeError or OptionError "steps = 2.5: must be
+/// Calls `refuse` of pliant.base.refusals, which raises TypeError or OptionError "steps = 2.5: must be
 /// a whole number".
 [[noreturn]] void refuse_argument(std::string_view name, nb::handle value, const char* type,
                                   nb::object least, nb::object most);

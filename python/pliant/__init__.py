@@ -31,6 +31,7 @@ from pliant._core import (
     Steering,
     Structure,
     build_model,
+    conformers,
     contacts,
     continue_run,
     continue_sample,
@@ -42,12 +43,6 @@ from pliant._core import (
     run,
     sample,
 )
-from pliant._deprecated import PliantDeprecationWarning
-from pliant._display import show_in_notebooks
-from pliant._late import import_after
-from pliant._refusals.signatures import give_signatures
-from pliant._trajectory.results import RunResult, SampledEnsemble, SampleResult
-from pliant._trajectory.trajectory import Trajectory
 from pliant.adapters import constraints_from_openmm as constraints_from_openmm
 from pliant.adapters import (
     from_mdanalysis,
@@ -62,36 +57,49 @@ from pliant.adapters import (
     to_prody,
     to_rdkit,
 )
+from pliant.base.deprecated import PliantDeprecationWarning
+from pliant.base.display import show_in_notebooks
+from pliant.base.late_names import late_names
+from pliant.base.signatures import give_signatures
 from pliant.play.view import view
+from pliant.trajectory.results import RunResult, SampledEnsemble, SampleResult
+from pliant.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    from pliant.analyse import analyse
-    from pliant.check import check
-    from pliant.compare import compare
-    from pliant.conformers import conformers
-    from pliant.convert import convert
-    from pliant.path import path
-    from pliant.representatives import representatives
-    from pliant.study import study
+    from pliant.adapters.convert.write import convert
+    from pliant.checks.check_report import CheckReport
+    from pliant.checks.suite import check
+    from pliant.jobs.conformers.results import Conformers
+    from pliant.jobs.path.found import MolecularPath
+    from pliant.jobs.path.walk import path
+    from pliant.report.compare.comparison_report import ComparisonReport
+    from pliant.report.compare.suite import compare
+    from pliant.report.representatives import Representatives, representatives
+    from pliant.report.study.studied import Study
+    from pliant.report.study.suite import study
+    from pliant.report.suite import AnalysisReport, analyse
 else:
-    # Packages that are called; what they need beyond NumPy and h5py is imported when they are.
-    # Two stand for functions of _core.
-    del conformers, path
-    from pliant import analyse, check, compare, conformers, convert, path, representatives, study
+    del path  # of _core: the function for people is a late name, below
 
 #: What users call, and what is promised: docs/pages/stability.md.
 __all__ = [
+    "AnalysisReport",
+    "CheckReport",
+    "ComparisonReport",
+    "Conformers",
     "Error",
     "FileError",
     "Frame",
     "Framework",
     "InputError",
     "MolecularModel",
+    "MolecularPath",
     "Motion",
     "OptionError",
     "PliantDeprecationWarning",
     "PliantWarning",
     "Preparation",
+    "Representatives",
     "ResolveSummary",
     "Resolver",
     "Rigidity",
@@ -101,6 +109,7 @@ __all__ = [
     "State",
     "Steering",
     "Structure",
+    "Study",
     "Trajectory",
     "__version__",
     "analyse",
@@ -148,9 +157,26 @@ for _name, _type in vars(_core).items():
             _type.__test__ = False  # type: ignore[attr-defined]  # pytest takes it for tests
 del _name, _type
 
-# MDAnalysis.Universe("out.h5md") has names and bonds wherever both are imported.
-import_after("MDAnalysis", "pliant.h5md_parser")
-import_after("MDAnalysis", "pliant.ensemble.reader")
+#: What these need beyond NumPy and h5py is imported when they are used.
+__getattr__ = late_names(
+    __name__,
+    {
+        "AnalysisReport": "pliant.report.suite",
+        "CheckReport": "pliant.checks.check_report",
+        "ComparisonReport": "pliant.report.compare.comparison_report",
+        "Conformers": "pliant.jobs.conformers.results",
+        "MolecularPath": "pliant.jobs.path.found",
+        "Representatives": "pliant.report.representatives",
+        "Study": "pliant.report.study.studied",
+        "analyse": "pliant.report.suite",
+        "check": "pliant.checks.suite",
+        "compare": "pliant.report.compare.suite",
+        "convert": "pliant.adapters.convert.write",
+        "path": "pliant.jobs.path.walk",
+        "representatives": "pliant.report.representatives",
+        "study": "pliant.report.study.suite",
+    },
+)
 
 show_in_notebooks()
 give_signatures(_core.read, _core.Steering.release, _core.Steering().release)

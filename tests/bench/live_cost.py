@@ -25,7 +25,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from pliant.imd import Client
+from pliant.play.imd import Client
 from pliant.play.upstream import Upstream
 
 COMMAND = Path(sys.executable).parent / "pliant"

@@ -15,11 +15,11 @@ import tempfile
 import time
 from pathlib import Path
 
-from pliant.ensemble.cluster import open_place
-from pliant.ensemble.drive import made_by
-from pliant.ensemble.inspect_shard import ShardRecord
-from pliant.ensemble.manifest import Manifest
-from pliant.ensemble.plan import EnsemblePlan, Shard
+from pliant.shards.cluster import open_place
+from pliant.shards.drive import made_by
+from pliant.trajectory.shards.inspect_shard import ShardRecord
+from pliant.trajectory.shards.manifest import Manifest
+from pliant.trajectory.shards.plan import EnsemblePlan, Shard
 
 
 def nothing(plan: EnsemblePlan, shard: Shard, folder: str) -> ShardRecord:

@@ -36,7 +36,7 @@ def test_without_analysis_it_says_what_is_left_out(tmp_path):
         "        if name.partition('.')[0] in ('MDAnalysis', 'matplotlib', 'scipy', 'rich'):\n"
         "            raise ModuleNotFoundError(name, name=name)\n"
         "sys.meta_path.insert(0, Hide())\n"
-        "from pliant.demo import main\n"
+        "from pliant.report.study.demo import main\n"
         f"sys.exit(main(['--frames', '4', '-o', {str(tmp_path)!r}]))\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)

@@ -72,7 +72,7 @@ def test_every_cmake_block_is_part_of_a_file():
 @pytest.mark.parametrize("block", all_of("yaml"))
 def test_cluster_files_are_read(block, tmp_path):
     pytest.importorskip("dask_jobqueue", reason="dask-jobqueue is not installed")
-    from pliant.ensemble.queue_jobs import Queue
+    from pliant.shards.queue_jobs import Queue
 
     path = tmp_path / "cluster.yaml"
     path.write_text(block.code)

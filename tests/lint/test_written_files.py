@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files are written in one way, which leaves none that is cut off: `pliant._output.new_file` in
+"""Files are written in one way, which leaves none that is cut off: `pliant.base.new_file` in
 Python, `OutputFile` in C++."""
 
 import re
@@ -7,7 +7,7 @@ import re
 import pytest
 from sources import CPP, files, numbered_lines, place, refuse
 
-PYTHON_WAY = "python/pliant/_output/"
+PYTHON_WAY = "python/pliant/base/"
 CPP_WAYS = ("src/pliant/text/output_file.cpp", "src/pliant/base/system/")
 
 WRITES_IN_PYTHON = re.compile(
@@ -53,7 +53,7 @@ def is_excepted(name: str, line: str) -> bool:
 def test_python_writes_files_in_one_way():
     refuse(
         [
-            f"{place(path, number)}: {found[0]}: pliant._output.new_file writes files"
+            f"{place(path, number)}: {found[0]}: pliant.base.new_file writes files"
             for path in files(".py", folders=("python/pliant",))
             if not place(path).startswith((PYTHON_WAY, "python/pliant/tests/"))
             for number, line in numbered_lines(path)

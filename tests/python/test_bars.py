@@ -3,8 +3,7 @@
 
 import numpy as np
 import pytest
-
-from pliant import _bars
+from pliant.measure import bars as _bars
 
 SQUARE = np.array([[0.0, 0, 0], [3, 0, 0], [3, 4, 0], [0, 4, 0]])
 BARS = np.array([[0, 1], [1, 2], [2, 3], [0, 2]])

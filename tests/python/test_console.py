@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import pliant
-from pliant import console
+from pliant.base import console
 
 
 def parser():

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pliant._display import as_html, as_text
-from pliant.compare.comparison_report import ComparisonReport
+from pliant.base.display import as_html, as_text
+from pliant.report.compare.comparison_report import ComparisonReport
 
 import pliant
 
@@ -57,7 +57,7 @@ def test_framework(caffeine):
 def test_summaries_of_resolves_and_runs(caffeine):
     framework, positions = caffeine.framework(), caffeine.positions.copy()
     positions[3] += 0.3
-    broken = pliant.measure(framework, positions)
+    broken = pliant.measure_bars(framework, positions)
     check(broken, {"within the tolerance": "no"})
     assert f"off by {broken.max_relative:.2g} of its length" in rows(broken)["worst bar"]
     summary = pliant.resolve(framework, positions)

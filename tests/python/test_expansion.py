@@ -10,13 +10,13 @@ import MDAnalysis
 import numpy as np
 import pytest
 from expanding_files import EXPANDING, put_zeros
-from pliant.analyse.load import open_universe
-from pliant.analysis import read_record
-from pliant.analysis.stored import StoredPositions
-from pliant.check.recording import read_recording
+from pliant.trajectory import hdf5 as _hdf5
+from pliant.trajectory.load import open_universe
+from pliant.trajectory.record import read_record
+from pliant.trajectory.recording import read_recording
+from pliant.trajectory.stored import StoredPositions
 
 import pliant
-from pliant import _hdf5
 
 VALUE = "particles/trajectory/position/value"
 

@@ -83,8 +83,8 @@ assert not set(sys.modules) & set({EXTRAS!r})
          'pliant.analyse needs MDAnalysis: pip install "pliant[analysis]"'),
         ("pliant.analyse('x')", "matplotlib",
          'pliant.analyse needs matplotlib: pip install "pliant[plot]"'),
-        ("import pliant.analysis", "MDAnalysis",
-         'pliant.analysis needs MDAnalysis: pip install "pliant[analysis]"'),
+        ("import pliant.measure", "MDAnalysis",
+         'pliant.measure needs MDAnalysis: pip install "pliant[analysis]"'),
         ("pliant.to_mdanalysis(pliant.read_text('1\\n\\nO 0 0 0\\n', 'xyz'))", "MDAnalysis",
          'pliant.to_mdanalysis needs MDAnalysis: pip install "pliant[analysis]"'),
         ("pliant.view('x')", "anywidget",
@@ -95,7 +95,7 @@ assert not set(sys.modules) & set({EXTRAS!r})
 )  # fmt: skip  # a table: a row a line
 def test_python_says_what_is_missing_in_one_line(code, missing, said):
     line = message_without(f"import pliant\n{code}", missing)
-    assert line == f"pliant._extras.MissingPackageError: {said}"
+    assert line == f"pliant.base.extras.MissingPackageError: {said}"
 
 
 def test_the_error_is_an_import_error():
@@ -163,7 +163,7 @@ def test_help_needs_none(command):
 
 def test_a_check_is_reported_without_rich_and_matplotlib(trajectory, tmp_path):
     words = [str(trajectory), "--no-picture", "--json"]
-    code = f"from pliant.check.command import main\nsys.exit(main({words!r}))"
+    code = f"from pliant.checks.command import main\nsys.exit(main({words!r}))"
     ended = run_without(code, "MDAnalysis", "matplotlib", "rdkit", "rich", "scipy")
     assert ended.stderr == ""
     assert json.loads(ended.stdout)["passed"]

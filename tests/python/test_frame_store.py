@@ -8,11 +8,12 @@ import pickle
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.analyse.store_reader import StoreReader
-from pliant.analysis import PrincipalComponents, frame_store, pca
-from pliant.analysis.flexibility import flexibility
-from pliant.analysis.frame_store import FrameStore, sum_of, variance_of
-from pliant.analysis.superposition import superpose_all, superpose_frames
+from pliant.measure import PrincipalComponents, pca
+from pliant.measure.flexibility import flexibility
+from pliant.measure.superposition import superpose_all, superpose_frames
+from pliant.trajectory import frame_store
+from pliant.trajectory.frame_store import FrameStore, sum_of, variance_of
+from pliant.trajectory.store_reader import StoreReader
 
 from pliant import FileError
 

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from pliant._weightings import WEIGHTINGS
+from pliant.checks.weightings import WEIGHTINGS
 
 import pliant
 

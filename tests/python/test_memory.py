@@ -89,7 +89,7 @@ def test_memory_does_not_grow_with_calls():
         framework = pliant.Framework(bars, np.ones(count - 1))
         positions = start.copy()
         pliant.resolve(framework, positions, max_sweeps=1)
-        pliant.measure(framework, positions)
+        pliant.measure_bars(framework, positions)
         pliant.order(framework)
         framework.blocks(), framework.bars, pliant.residuals(framework, positions)
         state = pliant.State(positions)
@@ -116,7 +116,7 @@ def test_arguments_are_not_held():
         pliant.resolve(framework, positions)
         with pytest.raises(pliant.OptionError):
             pliant.resolve(framework, positions, weighting=2)
-        pliant.measure(framework, positions)
+        pliant.measure_bars(framework, positions)
         pliant.State(positions)
     assert sys.getrefcount(positions) == held
 

@@ -4,8 +4,8 @@
 import numpy as np
 import pytest
 from hanging import clock_that_waits_for
-from pliant._openmm import child
-from pliant._openmm.child import Job, run_jobs
+from pliant.checks.openmm import child
+from pliant.checks.openmm.child import Job, run_jobs
 
 import pliant
 

@@ -6,9 +6,9 @@ import sys
 
 import h5py
 import pytest
-from pliant._file_lock import take_lock
-from pliant._hdf5.probe import probe_anew
-from pliant._salvage import dataset, salvage
+from pliant.base.file_lock import take_lock
+from pliant.trajectory.hdf5.probe import probe_anew
+from pliant.trajectory.recover.pieces import dataset, salvage
 
 import pliant
 

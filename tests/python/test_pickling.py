@@ -100,7 +100,7 @@ def test_limits_sterics_planes_and_merged_bars_are_kept(tmp_path):
     framework = butane.framework(bars=text)
     assert sent(framework).has_sterics
     overlaps = [
-        pliant.measure(each, 0.5 * butane.positions).max_overlap
+        pliant.measure_bars(each, 0.5 * butane.positions).max_overlap
         for each in (framework, sent(framework))
     ]
     assert overlaps[0] == overlaps[1] > 0.9

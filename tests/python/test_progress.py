@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 
 import pliant
-from pliant import _progress, console
+from pliant.base import console
+from pliant.base import progress as _progress
 
 MOLECULES = Path(__file__).parents[2] / "data" / "molecules"
 CAFFEINE, ASPIRIN = MOLECULES / "caffeine.sdf", MOLECULES / "aspirin.sdf"
@@ -185,7 +186,7 @@ def test_walkers_that_begin_are_shown(bars):
 
 
 def test_long_work_without_a_terminal_says_now_and_then_how_far_it_is(monkeypatch, capsys):
-    from pliant._progress import of_commands
+    from pliant.base import command_progress as of_commands
 
     monkeypatch.setattr(of_commands, "LINE_EVERY", 0.0)
     with of_commands.progress("structures", lines=True) as show:

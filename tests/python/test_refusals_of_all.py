@@ -7,10 +7,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from pliant._refusals import kinds_of
-from pliant.analyse.choose_representatives import representatives
-from pliant.compare.paths import compare_paths
-from pliant.recover import recover
+from pliant.base.refusals import kinds_of
+from pliant.measure.compared.paths import compare_paths
+from pliant.report.representatives import representatives
+from pliant.trajectory.recover.recover import recover
 
 import pliant
 
@@ -24,12 +24,12 @@ NEEDED = {
     pliant.run: {"framework": CHAIN, "state": LINE, "steps": 1},
     pliant.continue_run: {"path": NOWHERE},
     pliant.run_ensemble: {"framework": CHAIN, "state": LINE, "steps": 1},
-    pliant.path.path: {"start": ETHANE, "end": ETHANE},
-    pliant.analyse.analyse: {"path": NOWHERE},
+    pliant.path: {"start": ETHANE, "end": ETHANE},
+    pliant.analyse: {"path": NOWHERE},
     representatives: {"path": NOWHERE, "count": 2},
-    pliant.compare.compare: {"ours": NOWHERE, "theirs": NOWHERE},
+    pliant.compare: {"ours": NOWHERE, "theirs": NOWHERE},
     compare_paths: {"ours": NOWHERE, "theirs": NOWHERE},
-    pliant.check.check: {"path": NOWHERE},
+    pliant.check: {"path": NOWHERE},
     pliant.view: {"source": NOWHERE},
     recover: {"broken": NOWHERE, "good": NOWHERE},
     pliant.from_rdkit: {"molecule": SimpleNamespace(GetConformers=list)},
@@ -48,7 +48,7 @@ NEEDED = {
     pliant.mode_field: {"structure": ETHANE, "mode": 1},
     pliant.choose_technique: {"framework": CHAIN},
     pliant.order: {"framework": CHAIN},
-    pliant.measure: {"framework": CHAIN, "positions": LINE},
+    pliant.measure_bars: {"framework": CHAIN, "positions": LINE},
     pliant.resolve: {"framework": CHAIN, "positions": LINE},
     pliant.generate: {"kind": "tree"},
     pliant.make_force_file: {"framework": CHAIN},
@@ -108,33 +108,33 @@ def test_there_are_rows_of_what_measures_and_draws():
 
 
 OUT_OF_RANGE = [
-    (pliant.path.path, "step", 0.0),
-    (pliant.path.path, "step", math.nan),
-    (pliant.path.path, "backtrack", -1),
-    (pliant.path.path, "backtrack", 2**63),
-    (pliant.path.path, "seed", -1),
-    (pliant.path.path, "seed", 2**64),
-    (pliant.analyse.analyse, "step", 0),
-    (pliant.analyse.analyse, "workers", 0),
-    (pliant.analyse.analyse, "workers", 2**63),
-    (pliant.analyse.analyse, "dpi", -1),
-    (pliant.analyse.analyse, "distances", [("name CA",)]),
-    (pliant.analyse.analyse, "distances", ["ab"]),
+    (pliant.path, "step", 0.0),
+    (pliant.path, "step", math.nan),
+    (pliant.path, "backtrack", -1),
+    (pliant.path, "backtrack", 2**63),
+    (pliant.path, "seed", -1),
+    (pliant.path, "seed", 2**64),
+    (pliant.analyse, "step", 0),
+    (pliant.analyse, "workers", 0),
+    (pliant.analyse, "workers", 2**63),
+    (pliant.analyse, "dpi", -1),
+    (pliant.analyse, "distances", [("name CA",)]),
+    (pliant.analyse, "distances", ["ab"]),
     (representatives, "count", 0),
-    (pliant.compare.compare, "frames", 1),
-    (pliant.compare.compare, "frames", "every"),
+    (pliant.compare, "frames", 1),
+    (pliant.compare, "frames", "every"),
     (compare_paths, "frames", -1),
-    (pliant.check.check, "frames", 0),
-    (pliant.check.check, "frames", "every"),
-    (pliant.check.check, "displacements", ()),
-    (pliant.check.check, "displacements", (0.1, -1.0)),
-    (pliant.check.check, "displacements", ("x",)),
-    (pliant.check.check, "seed", -1),
-    (pliant.check.check, "time_limit", math.nan),
-    (pliant.check.check, "starts", 0),
-    (pliant.check.check, "long_starts", -1),
-    (pliant.check.check, "md_steps", -1),
-    (pliant.check.check, "total_limit", 0),
+    (pliant.check, "frames", 0),
+    (pliant.check, "frames", "every"),
+    (pliant.check, "displacements", ()),
+    (pliant.check, "displacements", (0.1, -1.0)),
+    (pliant.check, "displacements", ("x",)),
+    (pliant.check, "seed", -1),
+    (pliant.check, "time_limit", math.nan),
+    (pliant.check, "starts", 0),
+    (pliant.check, "long_starts", -1),
+    (pliant.check, "md_steps", -1),
+    (pliant.check, "total_limit", 0),
     (pliant.view, "height", 0),
     (pliant.to_mdanalysis, "timestep", -1.0),
     (pliant.run_ensemble, "shard", (0, -1)),

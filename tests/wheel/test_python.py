@@ -9,7 +9,7 @@ from emulated import ROOT, RUNNERS, THIS, python_of, stored, targets
 
 PEPTIDE = (ROOT / "data/molecules/peptide_20.pdb").read_bytes()
 FOREIGN = [name for name, row in targets().items() if row.tried == "qemu"]
-PATH = "import sys; from pliant.path.command import main; sys.exit(main())"
+PATH = "import sys; from pliant.jobs.path.command import main; sys.exit(main())"
 
 
 @pytest.fixture(params=FOREIGN)

@@ -42,7 +42,7 @@ void bind_summary(nb::module_& module) {
 void bind_measure(nb::module_& module) {
   const Tolerance usual;
   module.def(
-      "measure",
+      "measure_bars",
       [](const Framework& framework, const ArrayLike& positions, double tolerance,
          std::optional<double> tolerance_length, double tolerance_limit, double tolerance_overlap) {
         const std::vector<Vec3> points = positions_from(positions, framework.joint_count());

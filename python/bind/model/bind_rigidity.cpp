@@ -192,7 +192,7 @@ std::string picture_of(const MoleculeRigidity& self, const std::string& name) {
 }
 
 void write_page(const nb::object& self, const nb::object& path, bool dilution, bool overwrite) {
-  nb::module_::import_("pliant.analyse.rigidity.rigidity_page")
+  nb::module_::import_("pliant.report.rigidity.rigidity_page")
       .attr("write_rigidity_page")(self, path, "dilution"_a = dilution, "overwrite"_a = overwrite);
 }
 

@@ -70,7 +70,7 @@ nb::object part_from(nb::handle argument, const AskedModel& asked) {
   if (input.frame != usual.frame) reading["model"] = input.frame;
   if (input.max_input != usual.max_input) reading["max_input"] = input.max_input * 1'000'000;
   if (!input.distance_bonds) reading["distance_bonds"] = false;
-  return nb::module_::import_("pliant._trajectory.sources")
+  return nb::module_::import_("pliant.trajectory.sources")
       .attr("part_of")(argument, input.select, **reading);
 }
 

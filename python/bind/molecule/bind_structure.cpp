@@ -292,7 +292,7 @@ InputError
 
 nb::object structure_from(nb::handle argument) {
   if (nb::isinstance<Structure>(argument)) return nb::borrow(argument);
-  return nb::module_::import_("pliant._trajectory.sources").attr("structure_of")(argument);
+  return nb::module_::import_("pliant.trajectory.sources").attr("structure_of")(argument);
 }
 
 nb::class_<Structure> bind_structure(nb::module_& module) {

@@ -10,7 +10,7 @@ namespace pliant::python {
 nb::class_<Structure> bind_structure(nb::module_& module);
 
 /// The Structure that an argument is; of a path, or a molecule of another package, one that is made
-/// (`structure_of` of pliant._trajectory.sources). Throws what that raises.
+/// (`structure_of` of pliant.trajectory.sources). Throws what that raises.
 nb::object structure_from(nb::handle argument);
 
 /// What `structure_from` takes, as signatures have it.

@@ -66,14 +66,14 @@ std::string argument_docs_of_path() {
   return argument_docs(path_fields(), PathOptions()) + argument_docs(ModelArguments::path);
 }
 
-/// As `pliant.path.walk` finds and shows it.
+/// As `pliant.jobs.path.walk` finds and shows it.
 nb::object path_between(const nb::object& start, const nb::object& end, const nb::object& output,
                         bool overwrite, const nb::kwargs& more) {
   nb::dict given(more);
   const AskedPath asked = asked_from(given);
   refuse_unknown(nb::module_::import_("pliant._core").attr("path"), nb::make_tuple(start, end),
                  given);
-  return nb::module_::import_("pliant.path.walk")
+  return nb::module_::import_("pliant.jobs.path.walk")
       .attr("shown")(start, end, asked, output, overwrite);
 }
 

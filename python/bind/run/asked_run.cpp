@@ -61,7 +61,7 @@ AskedRun open_framework(nb::handle source, nb::object structure, const Job& job)
 AskedRun open_structure(nb::handle source, nb::handle structure, Job& job) {
   if (!structure.is_none()) throw nb::type_error("run: structure is given twice");
   const BarsAsked& bars = job.molecule.bars;
-  nb::object part = nb::module_::import_("pliant._trajectory.sources")
+  nb::object part = nb::module_::import_("pliant.trajectory.sources")
                         .attr("part_of")(source, job.molecule.input.select);
   nb::object framework = part.attr("framework")(bars_of(job.molecule), bars.lengths, bars.pin);
   return {std::move(framework), std::move(part), nb::none(), false};

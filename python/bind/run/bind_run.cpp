@@ -36,7 +36,7 @@ Job take_job(nb::dict given) {
   Job job = usual_job("run");
   take_values(output_fields(), given, job.output);
   if (!job.output.output.empty())
-    nb::module_::import_("pliant._output_names")
+    nb::module_::import_("pliant.base.output_names")
         .attr("check_trajectory_name")(job.output.output, "run");
   if (job.output.topology.empty()) job.output.topology = no_topology;
   take_values(bars_fields(), given, job.molecule.bars);
@@ -72,14 +72,14 @@ RunSubject subject_of(const AskedRun& asked, const Job& job) {
 /// As a class of pliant that has methods of frames besides, and is written in Python.
 nb::object result_of(OwnedRunSummary made, nb::object structure, const std::string& output) {
   const nb::object path = output.empty() ? nb::none() : nb::cast(path_of(output));
-  return nb::module_::import_("pliant._trajectory.results")
+  return nb::module_::import_("pliant.trajectory.results")
       .attr("RunResult")(nb::cast(std::move(made)), structure, path);
 }
 
 std::int64_t most_kept(const std::string& output) {
   if (!output.empty() && !is_pdb_name(output)) return 0;
   return nb::cast<std::int64_t>(
-      nb::module_::import_("pliant._trajectory.results").attr("MOST_KEPT"));
+      nb::module_::import_("pliant.trajectory.results").attr("MOST_KEPT"));
 }
 
 nb::object run_from(const nb::handle& source, nb::object state, const nb::object& output,
@@ -124,7 +124,7 @@ std::pair<std::uint64_t, std::uint64_t> shard_from(nb::handle value) {
   if (nb::try_cast(value, shard) && shard.first >= 0 && shard.second >= 0) return shard;
   throw OptionError(
       "shard = " +
-      nb::cast<std::string>(nb::module_::import_("pliant._refusals").attr("shown")(value)) +
+      nb::cast<std::string>(nb::module_::import_("pliant.base.refusals").attr("shown")(value)) +
       ": must be two whole numbers from 0, the first walker and the end");
 }
 

@@ -136,12 +136,12 @@ nb::dict take_options(const nb::kwargs& more) {
   return values;
 }
 
-/// As `pliant.conformers.suite` finds them.
+/// As `pliant.jobs.conformers.suite` finds them.
 nb::object conformers_of(const nb::object& molecule, const nb::object& max,
                          const nb::kwargs& more) {
   nb::dict given(more);
   if (!max.is_none()) given["max"] = max;
-  return nb::module_::import_("pliant.conformers.suite").attr("found")(molecule, given);
+  return nb::module_::import_("pliant.jobs.conformers.suite").attr("found")(molecule, given);
 }
 
 constexpr const char* conformers_doc =

@@ -52,7 +52,7 @@ void fill(SampledEnsemble& out, SampleJob& job, InterruptWatch& watch) {
 /// As a class of pliant that has methods of frames besides, and is written in Python.
 template <class Made>
 nb::object in_python(const char* name, Made made, const std::string& path) {
-  nb::object object = nb::inst_alloc(nb::module_::import_("pliant._trajectory.results").attr(name));
+  nb::object object = nb::inst_alloc(nb::module_::import_("pliant.trajectory.results").attr(name));
   new (nb::inst_ptr<Made>(object)) Made(std::move(made));
   nb::inst_mark_ready(object);
   if (!path.empty()) object.attr("output") = path_of(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that get their names when they are complete, for pliant._output.new_file.
+// Files that get their names when they are complete, for pliant.base.new_file.
 #include <nanobind/stl/filesystem.h>
 
 #include "bind.hpp"

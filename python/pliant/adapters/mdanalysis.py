@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 import numpy.typing as npt
 
-from pliant._chains import chain_of
-from pliant._checked import POSITIVE, checked, having
 from pliant._core import Framework, InputError, PliantWarning, Structure
-from pliant._extras import need
-from pliant._trajectory.sources import Molecule
-from pliant._trajectory.trajectory import Trajectory
+from pliant.base.checked import POSITIVE, checked, having
+from pliant.base.extras import need
+from pliant.trajectory.chains import chain_of
+from pliant.trajectory.sources import Molecule
+from pliant.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import MDAnalysis

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from pliant._checked import Wanted, checked, having
 from pliant._core import Framework, InputError, PliantWarning, Structure
-from pliant._extras import need
-from pliant._trajectory.sources import Molecule
-from pliant._trajectory.trajectory import Trajectory
+from pliant.base.checked import Wanted, checked, having
+from pliant.base.extras import need
+from pliant.trajectory.sources import Molecule
+from pliant.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import openmm

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from pliant._checked import checked, having
 from pliant._core import InputError, PliantWarning, Structure
-from pliant._extras import need
-from pliant._trajectory.sources import Molecule
-from pliant._trajectory.trajectory import Trajectory
+from pliant.base.checked import checked, having
+from pliant.base.extras import need
+from pliant.trajectory.sources import Molecule
+from pliant.trajectory.trajectory import Trajectory
 
 _WANTED = 'an rdkit.Chem.Mol, such as Chem.MolFromMolFile("x.sdf", removeHs=False)'
 

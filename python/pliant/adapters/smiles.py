@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant._checked import checked, whole
 from pliant._core import InputError, PliantWarning, Structure
-from pliant._extras import need
-from pliant._refusals import shown
 from pliant.adapters.open_stereo import open_stereo
 from pliant.adapters.rdkit import from_rdkit
+from pliant.base.checked import checked, whole
+from pliant.base.extras import need
+from pliant.base.refusals import shown
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol

@@ -19,8 +19,8 @@ from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
 from pliant._core import InputError, OptionError
-from pliant._input_files import json_object
-from pliant.imd.client import ImdFrame
+from pliant.base.input_files import json_object
+from pliant.play.imd.client import ImdFrame
 from pliant.play.server import HEADERS, is_same, secret_path
 from pliant.play.upstream import Upstream
 

@@ -9,11 +9,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from pliant import console
 from pliant._core import OptionError
-from pliant.imd.address import server_address
+from pliant.base import console
 from pliant.play import page
 from pliant.play.connect import connect
+from pliant.play.imd.address import server_address
 from pliant.play.server import PageServer
 
 EPILOG = """\

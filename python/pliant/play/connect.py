@@ -8,9 +8,9 @@ import warnings
 from collections.abc import Callable
 from pathlib import Path
 
-from pliant import console
 from pliant._core import FileError, InputError, PliantWarning, build_model, read, read_graph_xml
-from pliant._extras import need
+from pliant.base import console
+from pliant.base.extras import need
 from pliant.play import page
 from pliant.play.upstream import Upstream
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from pliant._core import Error, FileError, InputError
-from pliant._input_files import open_file
+from pliant.base.input_files import open_file
 
 PAGE = Path(__file__).with_name("pliant.html")
 PLACE = b"<!-- GIVEN -->"  #: in the page, where a molecule goes

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pliant._core import Error, InputError
-from pliant.imd.client import Client, ImdFrame
+from pliant.play.imd.client import Client, ImdFrame
 
 FRAMES = 30  #: that are asked for a second: a drag is fluent, and the run hardly feels it
 FIRST_LOOK, LOOK = 0.02, 0.25  #: seconds between two looks at how fast the run is

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pliant._checked import checked, whole
 from pliant._core import (
     Error,
     Framework,
@@ -22,10 +21,11 @@ from pliant._core import (
     read,
     write_topology_pdb,
 )
-from pliant._extras import need
-from pliant._trajectory.sources import structure_of
-from pliant._trajectory.trajectory import HasFrames
+from pliant.base.checked import checked, whole
+from pliant.base.extras import need
 from pliant.play import page
+from pliant.trajectory.sources import structure_of
+from pliant.trajectory.trajectory import HasFrames
 
 if TYPE_CHECKING:
     from pliant.play.widget import PlayView

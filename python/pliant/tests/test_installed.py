@@ -138,7 +138,8 @@ def test_an_analysis_of_mdanalysis_runs(ethanol: Path, tmp_path: Path) -> None:
     """Residuals of all bars, by our class for MDAnalysis."""
     mda = pytest.importorskip("MDAnalysis")
     pytest.importorskip("scipy")
-    from pliant.analysis import BarResiduals, read_record
+    from pliant.measure.residuals import BarResiduals
+    from pliant.trajectory.record import read_record
 
     path = str(tmp_path / "out.h5md")
     pliant.run(ethanol, output=path, steps=5)

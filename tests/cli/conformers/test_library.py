@@ -17,10 +17,10 @@ import pytest
 pytest.importorskip("rdkit")
 from commit_logs import TRIES
 from libraries import embedded, library, molecules, record
-from pliant.conformers.journal import Journal
-from pliant.conformers.library import Source, begin, resume
-from pliant.conformers.options import ConformerOptions
-from pliant.conformers.workers import Outcome
+from pliant.jobs.conformers.journal import Journal
+from pliant.jobs.conformers.library import Source, begin, resume
+from pliant.jobs.conformers.options import ConformerOptions
+from pliant.jobs.conformers.workers import Outcome
 from rdkit import Chem
 from rdkit.Chem import AllChem
 

@@ -10,7 +10,7 @@ from contextlib import ExitStack
 import h5py
 import pytest
 from imd_partners import MOLECULES, served_run
-from pliant.imd import Client
+from pliant.play.imd import Client
 
 import pliant as library
 
@@ -174,5 +174,8 @@ def test_watch_notices_other_atoms(pliant, command, tmp_path):
 
 
 def test_watch_needs_neither_extra_nor_analysis():
-    code = "import sys, pliant.imd.watch; assert not {'MDAnalysis', 'imdclient'} & set(sys.modules)"
+    code = (
+        "import sys, pliant.play.imd.watch as _\n"
+        "assert not {'MDAnalysis', 'imdclient'} & set(sys.modules)"
+    )
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from pliant.analyse.figures.figure_table import picture_path
+from pliant.report.figures.figure_table import picture_path
 
 sys.path.insert(0, str(Path(__file__).parent))  # so that tests can import what lies beside them
 from turned_molecule import SYMBOLS, Molecule, rotated
@@ -37,7 +37,7 @@ def no_drawing(monkeypatch):
     def save_dot(kind, analysis, folder, dpi=150):
         picture_path(kind, folder).write_bytes(DOT)
 
-    monkeypatch.setattr("pliant.analyse.figures.draw_in_parallel.save_figure", save_dot)
+    monkeypatch.setattr("pliant.report.figures.draw_in_parallel.save_figure", save_dot)
 
 
 @pytest.fixture

@@ -10,9 +10,9 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from pliant.analyse.command import main
-from pliant.analyse.parts import Rmsd
-from pliant.console import plain
+from pliant.base.console import plain
+from pliant.measure.stages.parts import Rmsd
+from pliant.report.command import main
 
 import pliant
 

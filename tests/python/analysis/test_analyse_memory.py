@@ -9,11 +9,11 @@ import tracemalloc
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.analyse.page import cartoon
-from pliant.analyse.page.scene import _nearest
-from pliant.analyse.page.view_limits import facing_the_reader
-from pliant.analyse.parts import Units
-from pliant.analysis.domains import distance_fluctuations
+from pliant.measure.domains import distance_fluctuations
+from pliant.measure.stages.parts import Units
+from pliant.report.page import cartoon
+from pliant.report.page.scene import _nearest
+from pliant.report.page.view_limits import facing_the_reader
 from scipy.spatial import cKDTree
 
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")
@@ -25,7 +25,7 @@ MORE_FRAMES = 45
 # VmHWM is of the program alone; what getrusage tells includes the process that started it.
 PEAK = """
 import contextlib, io, re, sys
-from pliant.analyse.command import main
+from pliant.report.command import main
 def peak():
     return int(re.search(r"VmHWM:\\s+(\\d+) kB", open("/proc/self/status").read())[1]) / 1024
 with contextlib.redirect_stdout(io.StringIO()):

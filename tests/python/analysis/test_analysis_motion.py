@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from MDAnalysis.analysis import align, rms
 from MDAnalysisTests.datafiles import DCD, PSF
-from pliant.analysis import RadiusOfGyration, RmsdToStart, Rmsf, Superposition
-from pliant.analysis.frames import weights_of
+from pliant.measure import RadiusOfGyration, RmsdToStart, Rmsf, Superposition
+from pliant.measure.frames import weights_of
 
 
 @pytest.fixture(scope="module")

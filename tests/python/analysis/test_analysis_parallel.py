@@ -5,10 +5,10 @@ import MDAnalysis
 import numpy as np
 import pytest
 from MDAnalysis.analysis.base import AnalysisBase
-from pliant.analysis.frame_index import FrameIndex
-from pliant.analysis.frames import HAS_BACKENDS
+from pliant.measure.frame_index import FrameIndex
+from pliant.measure.frames import HAS_BACKENDS
 
-from pliant import analysis
+from pliant import measure as analysis
 
 pytestmark = pytest.mark.filterwarnings("ignore::UserWarning")
 

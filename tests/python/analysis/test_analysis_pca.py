@@ -5,7 +5,7 @@ import MDAnalysis
 import numpy as np
 import pytest
 from MDAnalysis.analysis.pca import PCA, cosine_content
-from pliant.analysis import PrincipalComponents, Rmsf, Superposition
+from pliant.measure import PrincipalComponents, Rmsf, Superposition
 
 
 def in_memory(positions, masses=None):

@@ -3,7 +3,8 @@ import h5py
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.analysis import BarResiduals, bar_residuals, read_record
+from pliant.measure import BarResiduals, bar_residuals
+from pliant.trajectory.record import read_record
 
 
 @pytest.fixture

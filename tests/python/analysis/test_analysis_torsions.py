@@ -6,9 +6,9 @@ import networkx
 import numpy as np
 import pytest
 from MDAnalysisTests.datafiles import DCD, PSF
-from pliant.analysis import TorsionDistributions, rotatable_torsions
-from pliant.analysis.rotatable import bridges, is_hydrogen
-from pliant.analysis.torsions import circular_moments
+from pliant.measure import TorsionDistributions, rotatable_torsions
+from pliant.measure.rotatable import bridges, is_hydrogen
+from pliant.measure.torsions import circular_moments
 
 
 def molecule(elements, bonds, names=None):

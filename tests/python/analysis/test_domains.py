@@ -6,10 +6,10 @@ import warnings
 
 import numpy as np
 import pytest
-from pliant.analysis.domains import find_domains
-from pliant.analysis.domains.find import APART, TOGETHER
-from pliant.analysis.domains.splits import Frames, left_over
-from pliant.analysis.superposition import superpose_all
+from pliant.measure.domains import find_domains
+from pliant.measure.domains.find import APART, TOGETHER
+from pliant.measure.domains.splits import Frames, left_over
+from pliant.measure.superposition import superpose_all
 from scipy.spatial.transform import Rotation
 
 import pliant

@@ -7,10 +7,10 @@ import sys
 import threading
 
 import pytest
-from pliant.analyse.analysis import AnalysisOptions
-from pliant.analyse.figures import draw_in_parallel
-from pliant.analyse.figures.figure_table import figures_of
-from pliant.analyse.stages import analyse_trajectory
+from pliant.measure.stages.analysis import AnalysisOptions
+from pliant.measure.stages.stages import analyse_trajectory
+from pliant.report.figures import draw_in_parallel
+from pliant.report.figures.figure_table import figures_of
 
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
 

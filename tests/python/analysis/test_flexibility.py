@@ -3,16 +3,16 @@
 
 import numpy as np
 import pytest
-from pliant.analysis.collective import collectivity, moving_stretches, participation
-from pliant.analysis.domains import correlations, distance_fluctuations
-from pliant.analysis.flexibility import (
+from pliant.measure.collective import collectivity, moving_stretches, participation
+from pliant.measure.domains import correlations, distance_fluctuations
+from pliant.measure.flexibility import (
     equal_blocks,
     flexibility,
     numbered_blocks,
     path_blocks,
     statistical_inefficiency,
 )
-from pliant.analysis.superposition import superpose_all
+from pliant.measure.superposition import superpose_all
 
 
 def noise(frames, sigma, seed=0):

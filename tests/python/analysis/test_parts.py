@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from pliant.analyse.analysis import AnalysisOptions
-from pliant.analyse.figures.figure_table import figures_of
-from pliant.analyse.page.page_tables import tables
-from pliant.analyse.parts import Components, RigidDomains, Rmsd, Torsions, Units
-from pliant.analyse.stages import analyse_trajectory
-from pliant.analyse.summary import summary
-from pliant.analyse.verdicts import verdicts
-from pliant.analysis.domains import LOOSE, Domains, Hinge
+from pliant.measure.domains import LOOSE, Domains, Hinge
+from pliant.measure.stages.analysis import AnalysisOptions
+from pliant.measure.stages.parts import Components, RigidDomains, Rmsd, Torsions, Units
+from pliant.measure.stages.stages import analyse_trajectory
+from pliant.report.figures.figure_table import figures_of
+from pliant.report.page.page_tables import tables
+from pliant.report.summary import summary
+from pliant.report.verdicts import verdicts
 
 
 @pytest.fixture

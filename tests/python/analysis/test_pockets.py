@@ -7,9 +7,9 @@ import json
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.analyse.command import main
-from pliant.analyse.pockets.pocket_volumes import Pocket, _is_gap
-from pliant.analysis.pockets import RADII, Room, find_pockets, room_among
+from pliant.measure.pockets.pocket_grid import RADII, Room, find_pockets, room_among
+from pliant.measure.pockets.pocket_volumes import Pocket, _is_gap
+from pliant.report.command import main
 from scipy.spatial import Delaunay
 from test_shapes import shell
 

@@ -7,11 +7,11 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from pliant.analyse import analyse
-from pliant.analysis import read_record
-from pliant.recover import recover
+from pliant.trajectory.record import read_record
+from pliant.trajectory.recover.recover import recover
 
 import pliant
+from pliant import analyse
 
 PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
 FRAMES = 400

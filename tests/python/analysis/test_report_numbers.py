@@ -15,15 +15,15 @@ import numpy as np
 import pytest
 from MDAnalysis.analysis import align, dihedrals, rms
 from MDAnalysis.lib.distances import calc_angles, capped_distance
-from pliant.analyse.exports import b_factors
-from pliant.analyse.parts import (
+from pliant.measure.ramachandran import FAVOURED, OUTLIER, judged
+from pliant.measure.stages.parts import (
     Components,
     ContactFrequencies,
     Correlations,
     Shapes,
     UnitFlexibility,
 )
-from pliant.analysis.ramachandran import FAVOURED, OUTLIER, judged
+from pliant.report.exports import b_factors
 
 import pliant
 

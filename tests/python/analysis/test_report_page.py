@@ -9,8 +9,8 @@ import shutil
 import numpy as np
 import pytest
 from browser import Page, chromium
-from pliant.analyse.command import main
-from pliant.analyse.page import page as report_page
+from pliant.report.command import main
+from pliant.report.page import page as report_page
 
 needs_browser = pytest.mark.skipif(chromium() is None, reason="no Chromium is installed")
 needs_viewer = pytest.mark.skipif(
@@ -244,9 +244,9 @@ def test_positions_in_the_page_are_those_of_the_file(report, peptide):
 
 
 def test_large_trajectories_are_thinned_and_the_page_says_so(report):
-    from pliant.analyse.analysis import AnalysisOptions
-    from pliant.analyse.page.scene import scene
-    from pliant.analyse.stages import analyse_trajectory
+    from pliant.measure.stages.analysis import AnalysisOptions
+    from pliant.measure.stages.stages import analyse_trajectory
+    from pliant.report.page.scene import scene
 
     analysis = analyse_trajectory(AnalysisOptions(str(report.parent.parent / "run.h5md")))
     small = scene(analysis, max_atoms=10, max_bytes=1000)

@@ -7,9 +7,9 @@ import MDAnalysis
 import numpy as np
 import pytest
 from MDAnalysis.analysis import rms
-from pliant.analyse.choose_representatives import representatives
-from pliant.analyse.representatives_command import main
-from pliant.analysis.medoids import k_medoids, pairwise_rmsd
+from pliant.measure.shapes.medoids import k_medoids, pairwise_rmsd
+from pliant.report.representatives import representatives
+from pliant.report.representatives_command import main
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from browser import Page, chromium
-from pliant.analyse.page.html import viewer_script
+from pliant.report.page.html import viewer_script
 
 import pliant
 

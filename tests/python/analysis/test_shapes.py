@@ -8,23 +8,23 @@ import h5py
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.analyse import analyse
-from pliant.analyse.analysis import AnalysisOptions
-from pliant.analyse.choose_representatives import representatives
-from pliant.analyse.command import main
-from pliant.analyse.opened import opened
-from pliant.analyse.reference import reference_of
-from pliant.analyse.runner import Runner
-from pliant.analyse.shapes.known_pairs import KNOWN, quartiles_of_like, softness
-from pliant.analyse.shapes.other_shapes import other_shapes
-from pliant.analyse.shapes.shape_texts import shapes_json
-from pliant.analysis.frame_store import FrameStore
-from pliant.analysis.pockets import find_pockets
-from pliant.analysis.rigid_turns import rigid_turns
-from pliant.analysis.shapes import LEAST_RMSD, MOST_SHAPES, find_shapes
+from pliant.measure.domains.rigid_turns import rigid_turns
+from pliant.measure.pockets.pocket_grid import find_pockets
+from pliant.measure.shapes.known_pairs import KNOWN, quartiles_of_like, softness
+from pliant.measure.shapes.other_shapes import other_shapes
+from pliant.measure.shapes.shapes import LEAST_RMSD, MOST_SHAPES, find_shapes
+from pliant.measure.stages.analysis import AnalysisOptions
+from pliant.measure.stages.opened import opened
+from pliant.measure.stages.reference import reference_of
+from pliant.measure.stages.runner import Runner
+from pliant.report.command import main
+from pliant.report.representatives import representatives
+from pliant.report.shapes.shape_texts import shapes_json
+from pliant.trajectory.frame_store import FrameStore
 from turned_molecule import Molecule, rotated
 
 import pliant
+from pliant import analyse
 
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")
 

@@ -4,10 +4,10 @@
 import numpy as np
 import pytest
 from MDAnalysis.lib.distances import calc_angles, calc_dihedrals, capped_distance
-from pliant.analysis.geometry import angles_of, corners_of, out_of_plane, torsions_of
-from pliant.analysis.overlaps import Overlaps, ResidueContacts
-from pliant.analysis.ramachandran import ALLOWED, FAVOURED, OUTLIER, judged
-from pliant.analysis.stereochemistry import Stereochemistry
+from pliant.measure.geometry import angles_of, corners_of, out_of_plane, torsions_of
+from pliant.measure.overlaps import Overlaps, ResidueContacts
+from pliant.measure.ramachandran import ALLOWED, FAVOURED, OUTLIER, judged
+from pliant.measure.stereochemistry import Stereochemistry
 
 SYMBOLS = {6: "C", 7: "N", 8: "O"}
 

@@ -11,7 +11,7 @@ FOLDER = MDA.PDB_small.rsplit("/", 1)[0]
 
 
 def test_modified_residues_are_of_their_chain_and_ligands_are_not():
-    from pliant.analyse.units import trace_atoms
+    from pliant.measure.stages.units import trace_atoms
 
     universe = pliant.to_mdanalysis(pliant.read(f"{FOLDER}/1hvr.pdb"))
     names = trace_atoms(universe.atoms).resnames

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from made_trajectories import Made, molecule_run, moved
-from pliant.check.sample import choose_frames
+from pliant.trajectory.chosen_frames import choose_frames
 
 import pliant
 

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from pliant.check.force_field.minimise import start_of
+from pliant.checks.force_field.minimise import start_of
 
 import pliant
 

@@ -6,22 +6,22 @@ import json
 import numpy as np
 import pytest
 from expected_warnings import read_without_elements
-from pliant.check.command import main
-from pliant.check.coverage import Coverage
-from pliant.check.findings import CANNOT, FAILED, PASSED, SKIPPED
-from pliant.check.force_field import jobs as force_field_jobs
-from pliant.check.force_field.hydrogens import hydrogen_counts
-from pliant.check.force_field.minimise import QUICK, THOROUGH, Wanted, minimise_frames
-from pliant.check.force_field.minimised import ForceFieldReport, Minimised
-from pliant.check.force_field.molecule import molecule_of
-from pliant.check.force_field.verdicts import findings_of, md_verdict, reached
+from pliant.checks.command import main
+from pliant.checks.coverage import Coverage
+from pliant.checks.findings import CANNOT, FAILED, PASSED, SKIPPED
+from pliant.checks.force_field import jobs as force_field_jobs
+from pliant.checks.force_field.hydrogens import hydrogen_counts
+from pliant.checks.force_field.minimise import QUICK, THOROUGH, Wanted, minimise_frames
+from pliant.checks.force_field.minimised import ForceFieldReport, Minimised
+from pliant.checks.force_field.molecule import molecule_of
+from pliant.checks.force_field.verdicts import findings_of, md_verdict, reached
 
 import pliant
 
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 openmm = pytest.importorskip("openmm")
 app = pytest.importorskip("openmm.app")
-worker = pytest.importorskip("pliant.check.force_field.worker")
+worker = pytest.importorskip("pliant.checks.force_field.worker")
 FEW = Wanted(starts="all", long_starts=0, md_steps=0)
 
 PEPTIDE = MDA.PDB_small.replace("adk_open.pdb", "adk_open_10res.pdb")

@@ -5,7 +5,7 @@ import h5py
 import numpy as np
 import pytest
 from made_trajectories import molecule_run
-from pliant.check.recording import read_recording
+from pliant.trajectory.recording import read_recording
 
 import pliant
 
@@ -31,7 +31,7 @@ def test_what_is_read(ethane, path):
 
 
 def test_blocks_hold_every_frame_once(path, monkeypatch):
-    monkeypatch.setattr("pliant.check.recording.BLOCK_BYTES", 24 * 8 * 3)
+    monkeypatch.setattr("pliant.trajectory.recording.BLOCK_BYTES", 24 * 8 * 3)
     recording = read_recording(path)
     blocks = list(recording.blocks())
     assert [(first, len(block)) for first, block in blocks] == [(0, 3), (3, 1)]

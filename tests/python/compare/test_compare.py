@@ -7,7 +7,7 @@ import MDAnalysis
 import numpy as np
 import pytest
 from made_trajectories import molecule_run
-from pliant.compare.command import main
+from pliant.report.compare.command import main
 
 import pliant
 

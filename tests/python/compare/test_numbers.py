@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from MDAnalysis.analysis.rms import rmsd
 from MDAnalysis.lib.distances import calc_dihedrals
-from pliant.analysis import agreement
-from pliant.compare import numbers
+from pliant.measure import agreement
+from pliant.measure.compared import numbers
 from scipy.spatial.distance import jensenshannon
 from scipy.spatial.transform import Rotation
 

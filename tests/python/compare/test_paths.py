@@ -11,8 +11,14 @@ pytest.importorskip("MDAnalysis")
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 from expected_warnings import read_without_elements  # noqa: E402
 from MDAnalysis.analysis.rms import rmsd  # noqa: E402
-from pliant.compare.command import main  # noqa: E402
-from pliant.compare.paths import compare_paths, distances_of, frechet, rmsd_table, straight_line  # noqa: E402
+from pliant.measure.compared.paths import (  # noqa: E402
+    compare_paths,
+    distances_of,
+    frechet,
+    rmsd_table,
+    straight_line,
+)
+from pliant.report.compare.command import main  # noqa: E402
 from scipy.spatial.distance import cdist, directed_hausdorff  # noqa: E402
 
 import pliant  # noqa: E402

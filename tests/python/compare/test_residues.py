@@ -11,8 +11,8 @@ from made_trajectories import Made
 from MDAnalysis.analysis import pca
 from MDAnalysis.analysis.align import AlignTraj, rotation_matrix
 from MDAnalysis.analysis.rms import RMSF, rmsd
-from pliant.compare.command import main
-from pliant.compare.core import core_of
+from pliant.measure.compared.core import core_of
+from pliant.report.compare.command import main
 
 import pliant
 

@@ -49,7 +49,7 @@ def test_none_is_nearer_than_rms_or_above_the_window():
 def test_one_start_with_nothing_asked_for_has_the_frames_of_sample():
     structure = pliant.from_smiles("CC(C)C(=O)OCC")
     found = pliant.conformers(structure, 40, frames=40, starts=1, rms=0.0, energy="none")
-    assert isinstance(found, pliant.conformers.Conformers)
+    assert isinstance(found, pliant.Conformers)
     assert found.energies is None
     assert np.array_equal(found.positions, pliant.sample(structure, 40).positions)
     assert np.array_equal(found[3], found.trajectory[3])
@@ -185,7 +185,7 @@ def test_drawings_and_molecules_without_hydrogens():
 
 
 def test_no_candidate_is_an_error(monkeypatch):
-    from pliant.conformers import core
+    from pliant.jobs.conformers import core
 
     none = core.Drawn(np.zeros((0, 9, 3)), np.zeros(0, int), np.zeros(0), np.zeros((1, 9, 3)), 0.0)
     monkeypatch.setattr(core, "draw", lambda *_, **__: none)

@@ -10,12 +10,12 @@ import pliant
 
 pytest.importorskip("rdkit")
 from libraries import embedded
-from pliant.conformers.options import ConformerOptions
+from pliant.jobs.conformers import core
+from pliant.jobs.conformers.options import ConformerOptions
 from rdkit import Chem
 from rdkit.Chem import AllChem, rdMolAlign
 
 from pliant import _core
-from pliant.conformers import core
 
 SYMMETRIC = (
     "CC(C)(C)c1ccc(cc1)CC(F)F",  # 24 of at most 64 that are tried

@@ -8,11 +8,11 @@ import pliant
 
 pytest.importorskip("rdkit")
 from libraries import embedded, record
-from pliant.conformers.hydrogens import missing_hydrogens
-from pliant.conformers.mol_block import parse
-from pliant.conformers.options import ConformerOptions
-from pliant.conformers.records import Record
-from pliant.conformers.subject import subject_of, subject_of_mol, subject_of_structure
+from pliant.jobs.conformers.hydrogens import missing_hydrogens
+from pliant.jobs.conformers.mol_block import parse
+from pliant.jobs.conformers.options import ConformerOptions
+from pliant.jobs.conformers.records import Record
+from pliant.jobs.conformers.subject import subject_of, subject_of_mol, subject_of_structure
 from rdkit import Chem
 
 FAST = {"frames": 20, "starts": 1}

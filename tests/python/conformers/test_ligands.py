@@ -11,9 +11,9 @@ import pliant
 
 pytest.importorskip("rdkit")
 from libraries import embedded
-from pliant.conformers.options import ConformerOptions
-from pliant.conformers.records import read_records
-from pliant.conformers.subject import subject_of
+from pliant.jobs.conformers.options import ConformerOptions
+from pliant.jobs.conformers.records import read_records
+from pliant.jobs.conformers.subject import subject_of
 from rdkit import Chem
 
 FAST = {"max": 2, "frames": 10, "starts": 1}

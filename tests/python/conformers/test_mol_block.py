@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 pytest.importorskip("rdkit")
-from pliant.conformers.mol_block import block_of, filled, one_line, parse
-from pliant.conformers.v3000 import fits_v2000, text_of
+from pliant.jobs.conformers.mol_block import block_of, filled, one_line, parse
+from pliant.jobs.conformers.v3000 import fits_v2000, text_of
 from rdkit import Chem
 from rdkit.Chem import AllChem
 

@@ -5,10 +5,10 @@ import gzip
 import tracemalloc
 
 import pytest
-from pliant.conformers.records import TOO_LONG, Record, read_records
+from pliant.jobs.conformers import records
+from pliant.jobs.conformers.records import TOO_LONG, Record, read_records
 
 import pliant
-from pliant.conformers import records
 
 AFTER = Record(2, "water\n", "water", source="x.sdf.gz")
 

@@ -8,9 +8,9 @@ import pytest
 
 pytest.importorskip("rdkit")
 from libraries import library
-from pliant.conformers.options import ConformerOptions
-from pliant.conformers.records import read_records
-from pliant.conformers.workers import outcomes
+from pliant.jobs.conformers.options import ConformerOptions
+from pliant.jobs.conformers.records import read_records
+from pliant.jobs.conformers.workers import outcomes
 
 OPTIONS = ConformerOptions(frames=20, starts=1, max=2, energy="none")
 

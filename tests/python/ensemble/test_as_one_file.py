@@ -7,11 +7,11 @@ import MDAnalysis
 import numpy as np
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
-from pliant.analyse.choose_representatives import representatives
-from pliant.check.recording import read_recording
-from pliant.convert import convert
+from pliant.report.representatives import representatives
+from pliant.trajectory.recording import read_recording
 
 import pliant
+from pliant import convert
 
 
 @pytest.mark.long

@@ -11,10 +11,10 @@ import shutil
 import MDAnalysis
 import pytest
 from ensembles import PEPTIDE, call, made, shards_of
-from pliant.ensemble import open_shard
-from pliant.ensemble.frames import EnsembleFrames
-from pliant.ensemble.inspect_shard import check_shard
-from pliant.ensemble.shards_reader import ShardsReader
+from pliant.trajectory.shards import open_shard
+from pliant.trajectory.shards.frames import EnsembleFrames
+from pliant.trajectory.shards.inspect_shard import check_shard
+from pliant.trajectory.shards.shards_reader import ShardsReader
 
 import pliant
 

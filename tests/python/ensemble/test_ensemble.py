@@ -6,8 +6,8 @@ import shutil
 
 import pytest
 from ensembles import PEPTIDE, call, made, same_bits, shards_of
-from pliant.ensemble import scratch
-from pliant.ensemble.plan import load_plan
+from pliant.shards import scratch
+from pliant.trajectory.shards.plan import load_plan
 
 RUN = ("--steps", 40, "--every", 10)
 

@@ -13,10 +13,10 @@ import psutil
 import pytest
 from commit_logs import TRIES, steps_in
 from ensembles import COMMAND, PEPTIDE, call, made, shards_of, start
-from pliant.ensemble.commits import take_log
-from pliant.ensemble.make_shard import Making, make_shard
-from pliant.ensemble.plan import load_plan
-from pliant.ensemble.time_limit import OutOfTimeError, deadline_of, parse_walltime
+from pliant.shards.commits import take_log
+from pliant.shards.make_shard import Making, make_shard
+from pliant.shards.time_limit import OutOfTimeError, deadline_of, parse_walltime
+from pliant.trajectory.shards.plan import load_plan
 
 from pliant import OptionError
 

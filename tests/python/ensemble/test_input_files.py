@@ -7,13 +7,13 @@ import shutil
 
 import pytest
 from ensembles import PEPTIDE, call
-from pliant._input_files import expect_file, json_object, open_file
-from pliant.compare.paths import compare_paths
-from pliant.ensemble.manifest import Manifest
-from pliant.ensemble.plan import load_plan
-from pliant.ensemble.queue_jobs import _settings
-from pliant.ensemble.verify import verify
+from pliant.base.input_files import expect_file, json_object, open_file
+from pliant.measure.compared.paths import compare_paths
 from pliant.play.page import read_given
+from pliant.shards.queue_jobs import _settings
+from pliant.shards.verify import verify
+from pliant.trajectory.shards.manifest import Manifest
+from pliant.trajectory.shards.plan import load_plan
 
 import pliant
 from pliant import FileError, InputError

@@ -117,7 +117,7 @@ def test_one_shard_has_one_worker(tmp_path):
 @pytest.mark.long
 def test_processes_of_an_analysis_end_with_it():
     """Those that wait for work would do so for ever: they hold both ends of their queue."""
-    code = "import time; from pliant.ensemble.over_shards import each_part; "
+    code = "import time; from pliant.shards.over_shards import each_part; "
     code += "print(list(each_part(time.sleep, [0, 0, 600, 600], 2)))"
     client = subprocess.Popen([sys.executable, "-c", code])
     while len(workers_of(client)) < 2 and client.poll() is None:

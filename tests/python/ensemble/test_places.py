@@ -26,7 +26,7 @@ def test_a_scheduler_that_is_there(ensemble, tmp_path, there):
 
 def test_no_worker_is_reported_once(capfd, monkeypatch):
     from distributed import LocalCluster
-    from pliant.ensemble import cluster as places
+    from pliant.shards import cluster as places
 
     is_lonely, looks = places._is_lonely, []
     monkeypatch.setattr(places, "_REGROW_SECONDS", 0.1)
@@ -60,7 +60,7 @@ def test_the_dashboard_is_reported_where_something_draws_it(is_drawn, tmp_path):
 
 def test_a_scheduler_that_is_not_there(tmp_path):
     words = [str(PEPTIDE), "-o", "many", *map(str, WORDS), "--scheduler", "tcp://127.0.0.1:1"]
-    code = "from pliant.ensemble import cluster, command\ncluster._ANSWER_SECONDS = 0.5\n"
+    code = "from pliant.shards import cluster, command\ncluster._ANSWER_SECONDS = 0.5\n"
     ended = ended_code(f"{code}raise SystemExit(command.main({words!r}))", *HEAVY, cwd=tmp_path)
     assert (ended.returncode, ended.stderr.count("\n")) == (2, 1)
     assert "--scheduler tcp://127.0.0.1:1: " in ended.stderr

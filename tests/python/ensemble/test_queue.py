@@ -9,7 +9,7 @@ import stat
 import psutil
 import pytest
 from ensembles import PEPTIDE, call, made, shards_of, start, wait_for_shards
-from pliant.ensemble.queue_jobs import Queue
+from pliant.shards.queue_jobs import Queue
 
 # Not by importing it: that would change what SIGINT does in all tests that follow.
 if importlib.util.find_spec("dask_jobqueue") is None:

@@ -6,7 +6,7 @@ import csv
 import numpy as np
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, same_bits, shards_of
-from pliant.ensemble.plan import EnsemblePlan
+from pliant.trajectory.shards.plan import EnsemblePlan
 
 REACH = ("--sampler", "reach", "--near-frames", 6)
 NAMES = ("sampler", "sweeps", "max_residual")

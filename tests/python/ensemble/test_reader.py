@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 from ensembles import PEPTIDE, frames_of, shards_of
 from MDAnalysis.analysis.rms import RMSD
-from pliant.ensemble.frames import EnsembleFrames
+from pliant.trajectory import hdf5 as _hdf5
+from pliant.trajectory.shards.frames import EnsembleFrames
 
 import pliant
-from pliant import _hdf5
 
 
 @pytest.fixture

@@ -10,10 +10,11 @@ import sys
 import h5py
 import pytest
 from ensembles import PEPTIDE, call, made, shards_of
-from pliant.ensemble import folder_lock, scratch
-from pliant.ensemble.folder_lock import alone_in, mount_of
+from pliant.shards import folder_lock, scratch
+from pliant.shards.folder_lock import alone_in, mount_of
+from pliant.trajectory import hdf5 as _hdf5
 
-from pliant import FileError, _hdf5
+from pliant import FileError
 
 WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
 

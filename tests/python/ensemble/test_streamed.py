@@ -15,13 +15,13 @@ import numpy as np
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
 from MDAnalysis.analysis.align import rotation_matrix
-from pliant.analyse.parts import Units
-from pliant.analysis.medoids import k_medoids, pairwise_rmsd
-from pliant.ensemble import over_shards
-from pliant.ensemble.draw import flexibility_figure
-from pliant.ensemble.flexibility import flexibility
-from pliant.ensemble.plan import load_plan
-from pliant.ensemble.sums import Task, sums_of, superposed
+from pliant.measure.shapes.medoids import k_medoids, pairwise_rmsd
+from pliant.measure.stages.parts import Units
+from pliant.report.shards.draw import flexibility_figure
+from pliant.shards import over_shards
+from pliant.shards.flexibility import flexibility
+from pliant.shards.sums import Task, sums_of, superposed
+from pliant.trajectory.shards.plan import load_plan
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,7 @@ import pytest
 import pliant
 
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
-Clashes = pytest.importorskip("pliant.analysis.clashscore").Clashes
+Clashes = pytest.importorskip("pliant.measure.clashscore").Clashes
 
 PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 

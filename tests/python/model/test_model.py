@@ -116,7 +116,7 @@ def test_a_model_starts_without_a_violation(stripped):
     with pytest.warns(pliant.PliantWarning) as warned:
         model = pliant.build_model(pliant.read(XRAY))
     assert any("side chains: 5 residues lack atoms" in str(w.message) for w in warned)
-    summary = pliant.measure(model.framework, model.positions)
+    summary = pliant.measure_bars(model.framework, model.positions)
     assert summary.max_limit == 0
     assert summary.max_overlap == 0
     assert model.kind == "protein"
@@ -158,7 +158,7 @@ def test_contacts_that_are_none_are_refused(adk):
 @pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 def test_files_as_they_come_make_a_model(name, what):
     model = pliant.build_model(pliant.read(DATA / name))
-    summary = pliant.measure(model.framework, model.positions)
+    summary = pliant.measure_bars(model.framework, model.positions)
     assert (summary.max_limit, summary.max_overlap) == (0, 0), what
     assert model.notes
 

@@ -5,7 +5,7 @@ import csv
 import warnings
 
 import pytest
-from pliant._chains import chain_of
+from pliant.trajectory.chains import chain_of
 
 import pliant
 

@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from pliant.console import command_path
+from pliant.base.console import command_path
 
 import pliant
 
@@ -65,12 +65,12 @@ def test_all_cores_sample():
 
 #: functions whose command is written in Python: its module
 COMMANDS = {
-    "analyse": "pliant.analyse.command",
-    "compare": "pliant.compare.command",
-    "check": "pliant.check.command",
-    "convert": "pliant.convert.command",
-    "path": "pliant.path.command",
-    "representatives": "pliant.analyse.representatives_command",
+    "analyse": "pliant.report.command",
+    "compare": "pliant.report.compare.command",
+    "check": "pliant.checks.command",
+    "convert": "pliant.adapters.convert.command",
+    "path": "pliant.jobs.path.command",
+    "representatives": "pliant.report.representatives_command",
 }
 
 #: rows of C++ for options that a command leaves out when they are not given

@@ -179,7 +179,7 @@ def test_frames_of_a_file_are_read_when_they_are_asked_for(tmp_path, monkeypatch
 
 
 def test_frames_of_a_long_run_are_not_kept(monkeypatch):
-    monkeypatch.setattr("pliant._trajectory.results.MOST_KEPT", 1000)
+    monkeypatch.setattr("pliant.trajectory.results.MOST_KEPT", 1000)
     done = pliant.run(PEPTIDE, steps=4)
     assert done.steps == 4
     with pytest.raises(pliant.InputError, match=r'pliant\.run\(\.\.\., output="run\.h5md"\)'):
@@ -214,8 +214,8 @@ def test_analyse_compares_with_the_topology_that_sample_writes(tmp_path, monkeyp
     """`pliant sample x.pdb` writes x.h5md and x-topology.pdb: x.pdb has other atoms."""
     import subprocess
 
-    from pliant._output_names import start_beside
-    from pliant.console import command_path
+    from pliant.base.console import command_path
+    from pliant.base.output_names import start_beside
 
     pytest.importorskip("MDAnalysis")
     monkeypatch.chdir(tmp_path)
@@ -226,6 +226,6 @@ def test_analyse_compares_with_the_topology_that_sample_writes(tmp_path, monkeyp
     found = pliant.analyse("x.h5md")
     notes = " ".join(found.as_json().get("notes", []))
     assert "not compared" not in notes
-    from pliant.analyse.reference import reference_of
+    from pliant.measure.stages.reference import reference_of
 
     assert reference_of(found.analysis).name == "x-topology.pdb"

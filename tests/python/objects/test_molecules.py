@@ -135,7 +135,7 @@ def test_contacts_of_what_has_no_hydrogens_say_so():
 def test_contacts_are_read_as_the_command_writes_them(tmp_path):
     import subprocess
 
-    from pliant.console import command_path
+    from pliant.base.console import command_path
 
     path = DATA / "peptide_20.pdb"
     file = tmp_path / "contacts.csv"

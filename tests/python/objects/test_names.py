@@ -55,8 +55,8 @@ pliant.sample("x.pdb", n_frames=4)
 REVEALED = [
     'note: Revealed type is "int"',
     'note: Revealed type is "numpy.ndarray[tuple[Any, ...], numpy.dtype[',
-    'note: Revealed type is "pliant._trajectory.trajectory.Trajectory"',
-    'note: Revealed type is "pliant._trajectory.trajectory.Trajectory"',
+    'note: Revealed type is "pliant.trajectory.trajectory.Trajectory"',
+    'note: Revealed type is "pliant.trajectory.trajectory.Trajectory"',
     'error: Argument "sampler" to "sample" has incompatible type "Literal[\'mode\']"',
     'error: Argument 1 to "sample" has incompatible type "int"',
     'error: Argument "atoms" to "path" has incompatible type "Literal[\'CB\']"',

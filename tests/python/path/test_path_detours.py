@@ -11,7 +11,7 @@ import pliant
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
-from pliant.path.command import main
+from pliant.jobs.path.command import main
 
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 OPEN, CLOSED = DATA / "adk_open.pdb", DATA / "adk_closed.pdb"
@@ -164,8 +164,8 @@ def test_what_makes_no_sense_is_refused(hairpin):
 
 
 def test_an_analysis_knows_a_path(hairpin, tmp_path):
-    from pliant.analyse.kind import TRANSITION, kind_of
-    from pliant.analysis import read_record
+    from pliant.trajectory.kind import TRANSITION, kind_of
+    from pliant.trajectory.record import read_record
 
     seed = 2**64 - 1
     pliant.path(*hairpin, output=tmp_path / "p.h5md", both=True, backtrack=2, seed=seed)

@@ -10,8 +10,8 @@ import pliant
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
-from pliant.path.command import main
-from pliant.path.walk import PathEnds, PathOptions
+from pliant.jobs.path.command import main
+from pliant.jobs.path.walk import PathEnds, PathOptions
 
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 OPEN, CLOSED = DATA / "adk_open.pdb", DATA / "adk_closed.pdb"

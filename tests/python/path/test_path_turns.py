@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pliant.path.command import main
-from pliant.path.walk import PathEnds, PathOptions, PathWalk
+from pliant.jobs.path.command import main
+from pliant.jobs.path.walk import PathEnds, PathOptions, PathWalk
 
 import pliant
 

@@ -16,8 +16,8 @@ import h5py
 import numpy as np
 import pytest
 from imd_partners import MOLECULES, served_run
-from pliant.imd.client import ImdFrame
 from pliant.play import bridge, command, connect, page, upstream
+from pliant.play.imd.client import ImdFrame
 
 sync_client = pytest.importorskip("websockets.sync.client")
 from websockets.exceptions import ConnectionClosed, InvalidStatus  # noqa: E402

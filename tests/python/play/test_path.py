@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pliant.path.walk import PathEnds, PathOptions, PathWalk
+from pliant.jobs.path.walk import PathEnds, PathOptions, PathWalk
 from wasm_solver import Solver, sha1
 
 import pliant

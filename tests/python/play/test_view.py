@@ -87,7 +87,7 @@ def test_the_solver_takes_them_as_they_are(solver, tmp_path):
 
 def test_other_sources(tmp_path):
     mda = pytest.importorskip("MDAnalysis")
-    from pliant.analysis.record import read_record
+    from pliant.trajectory.record import read_record
 
     trajectory = tmp_path / "run.h5md"
     pliant.run(pliant.read(PEPTIDE), output=trajectory, steps=3)

@@ -7,8 +7,8 @@ import sys
 import time
 
 import pytest
-from pliant.analysis import read_record
-from pliant.check.recording import read_recording
+from pliant.trajectory.record import read_record
+from pliant.trajectory.recording import read_recording
 
 import pliant
 
@@ -89,8 +89,7 @@ def test_what_stays_unreadable_is_being_written(tmp_path):
 def test_a_file_that_is_closed_meanwhile_is_no_harm(tmp_path, monkeypatch):
     """Between listing the open files and asking one of them the garbage collector may close it."""
     import h5py
-
-    from pliant import _hdf5
+    from pliant.trajectory import hdf5 as _hdf5
 
     with h5py.File(tmp_path / "other.h5", "w") as other:
         closed = other.id

@@ -9,10 +9,10 @@ import gemmi
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.convert import convert
-from pliant.convert.command import main
+from pliant.adapters.convert.command import main
 
 import pliant
+from pliant import convert
 
 MOLECULE = str(Path(__file__).parents[3] / "data/molecules/alanine_dipeptide.pdb")
 
@@ -23,7 +23,7 @@ class Hidden:
         if name.partition(".")[0] == "MDAnalysis":
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 sys.meta_path.insert(0, Hidden())
-from pliant.convert.command import main
+from pliant.adapters.convert.command import main
 sys.exit(main(sys.argv[1:]))
 """
 

@@ -9,11 +9,11 @@ import contextlib
 
 import pytest
 from damaged_h5md import damages, death_of
-from pliant.analyse.load import open_universe
-from pliant.analysis import read_record
-from pliant.analysis.stored import StoredPositions
-from pliant.check.recording import read_recording
-from pliant.recover import recover
+from pliant.trajectory.load import open_universe
+from pliant.trajectory.record import read_record
+from pliant.trajectory.recording import read_recording
+from pliant.trajectory.recover.recover import recover
+from pliant.trajectory.stored import StoredPositions
 
 import pliant
 

@@ -5,9 +5,9 @@ turning over bits: 9 of 11 000 damaged files ended in a traceback of h5py)."""
 import h5py
 import numpy as np
 import pytest
+from pliant.trajectory import hdf5 as _hdf5
 
 import pliant
-from pliant import _hdf5
 
 
 def test_a_type_that_numpy_has_not_is_refused(tmp_path):

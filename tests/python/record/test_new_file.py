@@ -7,7 +7,7 @@ import resource
 from contextlib import contextmanager, suppress
 
 import pytest
-from pliant._output.new_file import new_file, new_text, take_name, write_text
+from pliant.base.new_file import new_file, new_text, take_name, write_text
 
 import pliant
 

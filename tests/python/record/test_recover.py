@@ -7,9 +7,9 @@ import os
 import h5py
 import numpy as np
 import pytest
-from pliant.analysis import read_record
-from pliant.check.recording import read_recording
-from pliant.recover import main, recover
+from pliant.trajectory.record import read_record
+from pliant.trajectory.recording import read_recording
+from pliant.trajectory.recover.recover import main, recover
 
 import pliant
 

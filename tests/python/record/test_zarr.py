@@ -7,9 +7,10 @@ import h5py
 import numpy as np
 import pytest
 from ensembles import COMMAND, PEPTIDE, made, shards_of
-from pliant.convert import convert, zarr_store
+from pliant.adapters.convert import zarr_store
 
 import pliant
+from pliant import convert
 
 xarray = pytest.importorskip("xarray")
 

@@ -4,7 +4,7 @@
 import warnings
 
 import pytest
-from pliant._deprecated import warn_deprecated
+from pliant.base.deprecated import warn_deprecated
 
 import pliant
 

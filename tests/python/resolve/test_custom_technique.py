@@ -52,7 +52,7 @@ def test_a_vectorised_sweep_resolves_caffeine():
     summary = pliant.resolve(framework, positions, sweep)
     assert summary.converged
     assert seen == list(range(summary.sweeps))
-    assert pliant.measure(framework, positions).max_relative <= 1e-6
+    assert pliant.measure_bars(framework, positions).max_relative <= 1e-6
 
 
 def test_it_is_given_up_by_our_own_measure():

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.optimize
-from pliant._openmm.child import Job, run_jobs
+from pliant.checks.openmm.child import Job, run_jobs
+from pliant.measure import bars as _bars
 
 import pliant
-from pliant import _bars
 
 MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
 NM = 0.1

@@ -75,7 +75,7 @@ def test_measure_finds_the_worst_limit_as_numpy_does():
     draw = np.random.default_rng(5)
     for _ in range(50):
         positions = draw.normal(size=(5, 3))
-        found = pliant.measure(framework, positions)
+        found = pliant.measure_bars(framework, positions)
         outside = excess(framework.limits, positions)
         assert found.max_limit == pytest.approx(outside.max(), rel=1e-14, abs=1e-300)
         assert found.worst_limit == outside.argmax()
@@ -107,7 +107,7 @@ def test_measure_finds_the_worst_overlap_as_numpy_does(stated):
     draw = np.random.default_rng(6)
     for _ in range(50):
         positions = draw.normal(size=(5, 3), scale=2)
-        found = pliant.measure(framework, positions)
+        found = pliant.measure_bars(framework, positions)
         expected = overlaps(positions)
         worst = max(expected, key=expected.get)
         assert found.max_overlap == pytest.approx(max(expected[worst], 0), rel=1e-14, abs=1e-300)
@@ -118,14 +118,14 @@ def test_measure_finds_the_worst_overlap_as_numpy_does(stated):
 def test_within_goes_by_the_tolerances_of_limits_and_overlaps(stated):
     positions = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [4, 0, 0]])
     framework = pliant.Framework(CHAIN, [1.0] * 4, limits=[(0, 4, 0, 3.9)])
-    assert pliant.measure(framework, positions).max_limit == pytest.approx(0.1)
-    assert not pliant.measure(framework, positions).within
-    assert pliant.measure(framework, positions, tolerance_limit=0.11).within
+    assert pliant.measure_bars(framework, positions).max_limit == pytest.approx(0.1)
+    assert not pliant.measure_bars(framework, positions).within
+    assert pliant.measure_bars(framework, positions, tolerance_limit=0.11).within
     _, framework = stated
-    found = pliant.measure(framework, positions, tolerance=10, tolerance_limit=10)
+    found = pliant.measure_bars(framework, positions, tolerance=10, tolerance_limit=10)
     assert found.max_overlap == pytest.approx(0.2)
     assert not found.within
-    assert pliant.measure(
+    assert pliant.measure_bars(
         framework, positions, tolerance=10, tolerance_limit=10, tolerance_overlap=0.21
     ).within
 
@@ -178,7 +178,8 @@ def test_sterics_are_recorded_and_read_back(stated, tmp_path):
     again = pliant.H5mdReader(tmp_path / "s.h5md").framework()
     assert again.has_sterics
     positions = np.array(structure.positions) * 0.5
-    found, expected = pliant.measure(again, positions), pliant.measure(framework, positions)
+    found = pliant.measure_bars(again, positions)
+    expected = pliant.measure_bars(framework, positions)
     assert found.max_overlap == expected.max_overlap > 0
     assert found.worst_overlap == expected.worst_overlap
 
@@ -200,7 +201,7 @@ def test_sterics_from_python_are_those_of_the_bars_file(stated):
     draw = np.random.default_rng(7)
     for _ in range(20):
         positions = draw.normal(size=(5, 3), scale=2)
-        found, expected = (pliant.measure(f, positions) for f in (framework, from_file))
+        found, expected = (pliant.measure_bars(f, positions) for f in (framework, from_file))
         assert found.max_overlap == expected.max_overlap
         assert found.worst_overlap == expected.worst_overlap
 

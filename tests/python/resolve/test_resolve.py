@@ -181,16 +181,18 @@ def test_nothing_to_resolve():
 
 def test_measure():
     framework = pliant.Framework([[0, 1], [1, 2]], [2.0, 1.0])
-    found = pliant.measure(framework, [[0, 0, 0], [2.5, 0, 0], [2.5, 0.5, 0]])
+    found = pliant.measure_bars(framework, [[0, 0, 0], [2.5, 0, 0], [2.5, 0.5, 0]])
     assert (found.max_relative, found.worst_bar, found.max_length) == (0.5, 1, 0.5)
     assert found.rms_relative == pytest.approx(np.sqrt((0.25**2 + 0.5**2) / 2))
     assert found.finite
     assert not found.within
     at = [[0, 0, 0], [2, 0, 0], [2, 1, 0]]
-    assert pliant.measure(framework, at).within
-    assert pliant.measure(framework, [[0, 0, 0], [2.1, 0, 0], [2.1, 1, 0]], tolerance_length=0.2)
+    assert pliant.measure_bars(framework, at).within
+    assert pliant.measure_bars(
+        framework, [[0, 0, 0], [2.1, 0, 0], [2.1, 1, 0]], tolerance_length=0.2
+    )
     with pytest.raises(pliant.InputError, match=r"^positions: 2 for 3 joints$"):
-        pliant.measure(framework, [[0, 0, 0], [1, 1, 1]])
+        pliant.measure_bars(framework, [[0, 0, 0], [1, 1, 1]])
 
 
 def pushed_chain(count, *joints):

@@ -26,7 +26,7 @@ from imd_partners import (
     served_run,
     served_sample,
 )
-from pliant.imd import Client, watch
+from pliant.play.imd import Client, watch
 
 import pliant
 

@@ -61,7 +61,7 @@ def test_the_state_is_a_copy_that_may_be_changed():
     motion.state.positions[3] += 0.3
     frame = motion.step()
     assert frame.converged
-    assert pliant.measure(RING.framework, frame.positions).max_relative <= 1e-6
+    assert pliant.measure_bars(RING.framework, frame.positions).max_relative <= 1e-6
 
 
 def test_a_pusher_in_python_moves_what_it_says():

@@ -8,18 +8,18 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from pliant._verdict import verdict_of_all
-from pliant.check.check_report import CheckReport
-from pliant.check.findings import Finding
-from pliant.check.force_field import verdicts as verdicts_of_md
+from pliant.base.verdict import verdict_of_all
+from pliant.checks.check_report import CheckReport
+from pliant.checks.findings import Finding
+from pliant.checks.force_field import verdicts as verdicts_of_md
 
 import pliant
 
 pytest.importorskip("MDAnalysis")
-answers_of = pytest.importorskip("pliant.study.answers")
-verdicts = pytest.importorskip("pliant.analyse.verdicts").verdicts
+answers_of = pytest.importorskip("pliant.report.study.answers")
+verdicts = pytest.importorskip("pliant.report.verdicts").verdicts
 LABELS = answers_of.LABELS
-main = pytest.importorskip("pliant.study.command").main
+main = pytest.importorskip("pliant.report.study.command").main
 
 MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
 PEPTIDE = MOLECULES / "peptide_20.pdb"
@@ -68,7 +68,7 @@ def test_what_is_flexible_and_what_was_left_out_is_said(studied):
     ]
     assert said["left out"] == "1 water"
     assert said["molecule"].startswith("20 residues")
-    flexibility = studied.report.analysis[pliant.analyse.parts.UnitFlexibility].found
+    flexibility = studied.report.analysis[pliant.measure.stages.parts.UnitFlexibility].found
     assert said["flexible"].split(",")[0].endswith(f" {flexibility.rmsf.max():.1f}")
     assert "an input: which parts move more than others is the result" in said["flexible"]
     assert said["MD starts"] == "not tested: --no-check"

@@ -3,7 +3,7 @@
 
 from types import SimpleNamespace
 
-from pliant._openmm import child
+from pliant.checks.openmm import child
 
 
 def clock_that_waits_for(job, monkeypatch):

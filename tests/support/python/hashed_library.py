@@ -172,7 +172,7 @@ def lanes(subject: Subject, way: Way, level: str) -> dict[str, object]:
 def graph(subject: Subject) -> dict[str, object]:
     """What a framework is, before anything moves."""
     framework, pushed = subject.framework, subject.pushed(1)
-    measured = pliant.measure(framework, pushed)
+    measured = pliant.measure_bars(framework, pushed)
     columns = ("bars", "rest_lengths", "inverse_masses", "pinned", "merged_bar_count")
     return {
         "framework": values(framework, columns),

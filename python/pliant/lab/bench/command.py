@@ -10,7 +10,7 @@ import sys
 from collections.abc import Sequence
 from types import ModuleType
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.bench import subcommands
 
 EPILOG = """\

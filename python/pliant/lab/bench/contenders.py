@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 import pliant
-from pliant._extras import need
-from pliant._openmm.angles import why_no_angles
-from pliant._openmm.child import Job, run_jobs
-from pliant._weightings import WEIGHTINGS
+from pliant.base.extras import need
+from pliant.checks.openmm.angles import why_no_angles
+from pliant.checks.openmm.child import Job, run_jobs
+from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.bench.target import Target
 from pliant.lab.peers.ccma import Ccma, CcmaInDynamics
 
 if TYPE_CHECKING:
-    from pliant._openmm.child import Outcome
+    from pliant.checks.openmm.child import Outcome
 
 
 TOLD_INTACT = ("shake",)  #: techniques to which the structure before the push makes a difference

@@ -14,9 +14,10 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import _bars, console
+from pliant.base import console
 from pliant.lab.bench.step import worst_limit
 from pliant.lab.validity.alpha_carbons import amino_part, heavy_part
+from pliant.measure import bars as _bars
 
 FRAMES, ROUNDS = 100, 5
 HYDROGENS = ("polar", "all")
@@ -41,7 +42,7 @@ class FrameRow:
     failed: int = 0  #: frames of all rounds
     max_residual: float = math.nan  #: relative, of all bars in all frames, measured anew
     max_limit: float = math.nan  #: Angstrom, measured anew
-    max_overlap: float = math.nan  #: Angstrom, by pliant.measure
+    max_overlap: float = math.nan  #: Angstrom, by pliant.measure_bars
     refused: str = ""  #: why no frame was made
     faults: list[str] = field(default_factory=list)
 
@@ -106,7 +107,7 @@ class _Subject:
             figures = (
                 _bars.worst_residual(x, self._bars, lengths),
                 worst_limit(x, limits),
-                float(pliant.measure(framework, x).max_overlap),
+                float(pliant.measure_bars(framework, x).max_overlap),
             )
             row.max_residual, row.max_limit, row.max_overlap = (
                 float(np.fmax(old, new))

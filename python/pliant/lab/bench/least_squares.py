@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pliant import _bars
 from pliant.lab.bench.stress_cases import Broken
+from pliant.measure import bars as _bars
 
 MOST_BARS = 200  #: with more, it takes too long
 STARTS = 4

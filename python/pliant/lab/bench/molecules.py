@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import console
-from pliant._openmm.child import Job, Outcome, run_jobs
+from pliant.base import console
+from pliant.checks.openmm.child import Job, Outcome, run_jobs
 from pliant.lab.bench.well_known_molecules import MOLECULES
 
 WORKER = Path(__file__).with_name("molecules_worker.py")

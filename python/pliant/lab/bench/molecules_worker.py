@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant._openmm import worker
+from pliant.checks.openmm import worker
 
 REPEATS = 3  #: of which the shortest time counts
 LONG = 0.3  #: seconds after which a run is not repeated

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import asdict, fields
 from typing import Any
 
-from pliant._csv_cells import harmless
-from pliant._output.new_file import new_text
+from pliant.base.csv_cells import harmless
+from pliant.base.new_file import new_text
 
 
 def write_csv(rows: Sequence[Any], path: str | os.PathLike[str]) -> None:

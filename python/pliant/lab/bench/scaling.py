@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import console
-from pliant._extras import need
+from pliant.base import console
+from pliant.base.extras import need
 from pliant.lab.bench.large_frameworks import KINDS
 
 SIZES = (1e3, 1e4, 1e5, 1e6, 1e7)

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import _bars
 from pliant.lab.bench.large_frameworks import KINDS
+from pliant.measure import bars as _bars
 
 
 def resident(field: str) -> int | None:

@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import _bars, console
+from pliant.base import console
 from pliant.lab.bench.step_memory import bytes_per_joint
 from pliant.lab.bench.step_scenes import Scene, check_kind, make_scene
+from pliant.measure import bars as _bars
 
 SIZES = (1e4, 1e6)
 TECHNIQUES = ("blocks", "auto")
@@ -46,7 +47,7 @@ class StepRow:
     unconverged: int = 0  #: steps
     max_residual: float = math.nan  #: of all bars at the end, measured anew
     max_limit: float = math.nan  #: Angstrom beyond an interval, at the end, measured anew
-    max_overlap: float = math.nan  #: Angstrom, at the end, by pliant.measure
+    max_overlap: float = math.nan  #: Angstrom, at the end, by pliant.measure_bars
     faults: list[str] = field(default_factory=list)
 
 
@@ -131,7 +132,7 @@ class Subject:
         row, tolerance = self.row, self._options["tolerance"]
         row.max_residual = _bars.worst_residual(positions, self._bars, self._lengths)
         row.max_limit = worst_limit(positions, self._framework.limits)
-        row.max_overlap = float(pliant.measure(self._framework, positions).max_overlap)
+        row.max_overlap = float(pliant.measure_bars(self._framework, positions).max_overlap)
         if row.unconverged:
             row.faults.append(f"{row.unconverged} steps did not converge")
         elif not row.max_residual <= tolerance * (1 + 1e-9):

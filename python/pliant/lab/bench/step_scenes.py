@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
-from pliant import _bars
 from pliant.lab.bench.large_frameworks import KINDS, Large
 from pliant.lab.bench.large_molecules import copies, many_peptides, peptide
+from pliant.measure import bars as _bars
 
 BARS = ("bonds", "angles")
 MODELS = ("molecule", "protein")  #: of pliant.models(), besides those of bars alone

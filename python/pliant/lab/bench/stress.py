@@ -16,13 +16,13 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import _bars
-from pliant._extras import need
-from pliant._openmm.angles import MOST_BARS_WITH_ANGLES
-from pliant._openmm.child import Job, Outcome, run_jobs
+from pliant.base.extras import need
+from pliant.checks.openmm.angles import MOST_BARS_WITH_ANGLES
+from pliant.checks.openmm.child import Job, Outcome, run_jobs
 from pliant.lab.bench.least_squares import MOST_BARS, least_squares_floor
 from pliant.lab.bench.stress_cases import Broken, Case
 from pliant.lab.peers.ccma import NM
+from pliant.measure import bars as _bars
 
 WORKER = pathlib.Path(__file__).with_name("stress_worker.py")
 LIMIT_SECONDS = 30.0  #: for one technique on one case

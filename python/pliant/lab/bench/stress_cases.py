@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pliant
-from pliant import _bars
+from pliant.measure import bars as _bars
 
 
 @dataclass

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.bench.stress import CONVERGED, Stress, StressCase, StressRow
 
 

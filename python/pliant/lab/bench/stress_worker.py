@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant._openmm import worker
+from pliant.checks.openmm import worker
 
 
 def framework_of(job: Mapping[str, Any]) -> pliant.Framework:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
-from pliant import _bars
+from pliant.measure import bars as _bars
 
 
 @dataclass

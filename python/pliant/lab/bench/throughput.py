@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import console
+from pliant.base import console
 from pliant.lab.bench.contenders import Theirs, their_contenders
 from pliant.lab.bench.target import Target, read_target
 

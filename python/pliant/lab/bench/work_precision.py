@@ -14,8 +14,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from pliant import _bars
-from pliant._extras import need
+from pliant.base.extras import need
 from pliant.lab.bench.contenders import Contender, Repair, our_contenders, their_contenders
 from pliant.lab.bench.gromacs_race import race_gromacs
 from pliant.lab.bench.nearest import nearest_whole
@@ -30,6 +29,7 @@ from pliant.lab.bench.work_precision_rows import (
     Row,
     WorkPrecision,
 )
+from pliant.measure import bars as _bars
 
 REPEATS = 7
 LIMIT_SECONDS = 2.0  #: for one contender at one tolerance

@@ -10,10 +10,21 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pliant.base.plotting import (
+    BLUE,
+    DASHED,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    SKY,
+    VERMILION,
+    figure,
+    save,
+)
 from pliant.lab.bench.work_precision_report import LABELS, entries, label, reached
 from pliant.lab.bench.work_precision_rows import WHOLE, Row, WorkPrecision
 from pliant.lab.peers.gromacs import NAMES
-from pliant.plotting import BLUE, DASHED, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, figure, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

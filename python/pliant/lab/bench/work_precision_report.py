@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.bench.work_precision_rows import TOO_SHORT, WHOLE, Row, WorkPrecision
 from pliant.lab.peers.gromacs import Program
 

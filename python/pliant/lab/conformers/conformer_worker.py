@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from rdkit import Chem, rdBase
 
-from pliant._openmm import worker
+from pliant.checks.openmm import worker
 from pliant.lab.conformers.contenders import CONTENDERS, Contender
 from pliant.lab.conformers.known import start_of
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant._core import InputError
-from pliant.conformers.records import format_of, read_records
+from pliant.jobs.conformers.records import format_of, read_records
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol

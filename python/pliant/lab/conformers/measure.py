@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from pliant._openmm.child import Job, Outcome, run_jobs
+from pliant.checks.openmm.child import Job, Outcome, run_jobs
 from pliant.lab.conformers.contenders import CONTENDERS, Contender
 from pliant.lab.conformers.faults import energies, faults_of
 from pliant.lab.conformers.known import Known, KnownSet

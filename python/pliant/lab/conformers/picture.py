@@ -11,8 +11,8 @@ import numpy as np
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from pliant._core import InputError
+from pliant.base.plotting import PALETTE, figure, save
 from pliant.lab.conformers.summary import Column, Run, columns_of
-from pliant.plotting import PALETTE, figure, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

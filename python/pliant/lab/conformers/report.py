@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.conformers.rows import WITHIN, Table
 
 SHARES = ("at", "contender", "made", *(f"{limit:g} A" for limit in WITHIN), "nearest, A", "+-",

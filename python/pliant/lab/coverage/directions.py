@@ -19,8 +19,8 @@ import numpy as np
 
 import pliant
 from pliant._core import InputError
-from pliant.analysis import agreement
 from pliant.lab.validity.references import read_quietly
+from pliant.measure import agreement
 
 BACKBONE = ("N", "CA", "C", "O")
 SUFFIXES = (".pdb", ".cif")

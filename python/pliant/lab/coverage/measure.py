@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from pliant._core import Error
-from pliant.analysis.agreement import bootstrap
 from pliant.lab.coverage.directions import Direction, Judge, directions_of
 from pliant.lab.coverage.ensembles import ENSEMBLES, Ensemble, Subject
 from pliant.lab.coverage.rows import Coverage, Nearest, Share
+from pliant.measure.agreement import bootstrap
 
 DISTANCES = ((0.0, 5.0), (5.0, 8.0), (8.0, math.inf))  #: Angstrom between the two structures
 DRAWS = 1000

@@ -7,9 +7,9 @@ import os
 from typing import TYPE_CHECKING
 
 from pliant._core import InputError
+from pliant.base.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
 from pliant.lab.coverage.directions import COVERED
 from pliant.lab.coverage.rows import Coverage, Nearest
-from pliant.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

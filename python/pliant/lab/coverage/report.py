@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.coverage.directions import COVERED
 from pliant.lab.coverage.rows import Coverage, Share
 

@@ -15,14 +15,14 @@ import numpy as np
 
 import pliant
 from pliant._core import Error, Structure
-from pliant.analyse.biology import MOST_DOMAIN_SITES
-from pliant.analysis.domains import Domains, find_domains
-from pliant.analysis.superposition import superpose_all
 from pliant.lab.coverage.directions import DOMAIN, Direction, Judge, directions_of
 from pliant.lab.coverage.ensembles import Subject
 from pliant.lab.domains.agreement import agreement, contradicted, found
 from pliant.lab.domains.pair_domains import pair_domains
 from pliant.lab.validity.alpha_carbons import trace_of
+from pliant.measure.domains import Domains, find_domains
+from pliant.measure.stages.biology import MOST_DOMAIN_SITES
+from pliant.measure.superposition import superpose_all
 
 
 @dataclass(frozen=True)

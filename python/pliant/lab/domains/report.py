@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.domains.measure import Row, Table
 
 COLUMNS = ("protein", "structure", "residues", "domains by seed", "contradicted", "of the pair",

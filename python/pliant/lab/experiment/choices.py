@@ -7,7 +7,7 @@ from collections.abc import Callable
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.experiment.statistics import REPLICATES
 
 #: Gives a function (done, total) while something is under way.

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant._weightings import WEIGHTINGS
+from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.compare import ALIKE, BY_FAR, EXTREMELY, Court
 from pliant.lab.experiment.settings import reverse_techniques
 from pliant.lab.experiment.statistics import Evidence, with_interval

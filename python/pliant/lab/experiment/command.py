@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pliant import OptionError, console
+from pliant import OptionError
+from pliant.base import console
 from pliant.lab.experiment.options import add_running
 from pliant.lab.experiment.pool import usable_cores
 from pliant.lab.experiment.settings import Settings

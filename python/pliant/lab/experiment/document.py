@@ -32,7 +32,7 @@ nav { margin-top: 14px; display: flex; flex-wrap: wrap; gap: 6px 16px; font-size
 
 def page(title: str, subtitle: str, sections: Sequence[tuple[str, str]]) -> str:
     """The page as text: sections of (heading, HTML), with links to them at the top."""
-    css = (resources.files("pliant.analyse.page") / "page.css").read_text(encoding="utf-8")
+    css = (resources.files("pliant.report.page") / "page.css").read_text(encoding="utf-8")
     links = "".join(f'<a href="#s{k}">{escape(name)}</a>' for k, (name, _) in enumerate(sections))
     bodies = "\n".join(
         f'<h2 id="s{k}">{escape(name)}</h2>\n{body}' for k, (name, body) in enumerate(sections)

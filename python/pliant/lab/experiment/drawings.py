@@ -13,12 +13,12 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from pliant._output.png import save_png
-from pliant._weightings import WEIGHTINGS
-from pliant.analyse.figures import style
+from pliant.base.png import save_png
+from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.answer import Figure
 from pliant.lab.experiment.settings import reverse_techniques
 from pliant.lab.experiment.statistics import Evidence, Statistics, interval
+from pliant.report.figures import style
 
 DPI = 130
 LAST_BIN = 20  #: histograms gather what is above

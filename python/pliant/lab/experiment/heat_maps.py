@@ -11,13 +11,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.image import AxesImage
 
-from pliant._output.png import save_png
-from pliant.analyse.figures import style
+from pliant.base.png import save_png
 from pliant.lab.experiment.answer import Figure
 from pliant.lab.experiment.claims import CLAIMS, Claim
 from pliant.lab.experiment.drawings import DPI
 from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.sweep import BOXES, FORCES, SIZES, TOLERANCES, Point
+from pliant.report.figures import style
 
 WORDS = {"sweeps": "sweeps", "passes": "passes", "projections": "work"}
 

@@ -8,7 +8,7 @@ import pkgutil
 from pathlib import Path
 from types import ModuleType
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.experiment import questions
 from pliant.lab.experiment.answer import Answer
 from pliant.lab.experiment.choices import Choices

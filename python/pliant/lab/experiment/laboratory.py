@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from pliant import FileError, OptionError
-from pliant._output.new_file import new_file, write_text
+from pliant.base.new_file import new_file, write_text
 from pliant.lab.experiment import table as tables
 from pliant.lab.experiment.pool import each_done
 from pliant.lab.experiment.settings import Settings

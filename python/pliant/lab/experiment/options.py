@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from pliant import console
+from pliant.base import console
 
 
 def add_running(parser: console.Parser) -> None:

@@ -7,7 +7,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from pliant._output.new_file import write_text
+from pliant.base.new_file import write_text
 from pliant.lab.experiment import document, drawings, heat_maps, sections
 from pliant.lab.experiment import table as tables
 from pliant.lab.experiment.choices import Choices

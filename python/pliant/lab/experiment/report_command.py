@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.experiment.options import add_running
 from pliant.lab.experiment.pool import usable_cores
 

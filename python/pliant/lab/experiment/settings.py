@@ -10,7 +10,7 @@ from typing import Any
 
 import pliant
 from pliant import OptionError
-from pliant._weightings import WEIGHTINGS
+from pliant.checks.weightings import WEIGHTINGS
 
 SIZES = ("depth", "children", "ring", "cycles", "joints", "box")
 NO_WEIGHTING = -1.0  #: stands in the weighting column of techniques that have none

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pliant import InputError, OptionError
-from pliant._output.new_file import new_text
+from pliant.base.new_file import new_text
 from pliant.lab.experiment import table as tables
 from pliant.lab.experiment.claims import CLAIMS, evidence_by_yardstick
 from pliant.lab.experiment.laboratory import Show

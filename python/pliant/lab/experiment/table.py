@@ -18,7 +18,7 @@ import h5py
 import numpy as np
 
 from pliant import FileError, InputError
-from pliant._output.new_file import new_file, new_text
+from pliant.base.new_file import new_file, new_text
 from pliant.lab.experiment.settings import NO_WEIGHTING, Settings
 
 COLUMNS = tuple(

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pliant
-from pliant._weightings import WEIGHTINGS
+from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.answer import Table
 
 THESIS = tuple("random bfs_cycle dfs_cycle bfs_reverse dfs_reverse bfs_adapt bfs_random".split())

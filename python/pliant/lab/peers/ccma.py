@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant import _bars
+from pliant.measure import bars as _bars
 
 if TYPE_CHECKING:
     import openmm
@@ -48,7 +48,7 @@ class Ccma:
         intact: np.ndarray,
         given_angles: bool = True,
     ) -> None:
-        from pliant._openmm import worker
+        from pliant.checks.openmm import worker
 
         self._worker = worker
         job = {"masses": masses, "bars": bars, "rest_lengths": rest_lengths * NM}

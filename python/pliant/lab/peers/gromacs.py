@@ -24,7 +24,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant._output.new_file import write_text
+from pliant.base.new_file import write_text
 from pliant.lab.peers.gromacs_files import (
     Setting,
     complaint,

@@ -29,7 +29,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from pliant._output.new_file import write_text
+from pliant.base.new_file import write_text
 
 BOLTZMANN = 0.00831446261815324  #: kJ/(mol K)
 TETHER = 0.5  #: a above

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pliant._core import InputError, Structure
-from pliant._sequence import LETTERS, UNKNOWN
+from pliant.measure.sequence import LETTERS, UNKNOWN
 
 
 @dataclass(frozen=True)

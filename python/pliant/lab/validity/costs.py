@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pliant._core import FileError
-from pliant.console import command_path
+from pliant.base.console import command_path
 from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.rows import Row
 from pliant.lab.validity.subject import Subject

@@ -12,7 +12,6 @@ from pathlib import Path
 import numpy as np
 
 from pliant._core import InputError, OptionError
-from pliant.analysis import agreement as alike
 from pliant.lab.validity import measure
 from pliant.lab.validity.cases import (
     CHANGES,
@@ -34,6 +33,7 @@ from pliant.lab.validity.sources import Files, MissingSourceError, Source
 from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import Subject
 from pliant.lab.validity.turned import goal_trace, state_rows
+from pliant.measure import agreement as alike
 
 FRAMES, SEEDS = 200, 3
 DRAWS = 1000

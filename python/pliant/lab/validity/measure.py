@@ -9,9 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant._sequence import aligned
-from pliant.analysis import agreement as alike
-from pliant.analysis.agreement import TEN, Figure
 from pliant.lab.validity.cases import Fluctuation
 from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.peers import Network, gnm_fluctuations, network_of
@@ -19,6 +16,9 @@ from pliant.lab.validity.references import BFactors, ReferenceEnsemble
 from pliant.lab.validity.rows import Row
 from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
+from pliant.measure import agreement as alike
+from pliant.measure.agreement import TEN, Figure
+from pliant.measure.sequence import aligned
 
 CLASHES = "clashes of 1000 heavy atoms"
 DRAWS = 100  #: of bootstraps that need principal components

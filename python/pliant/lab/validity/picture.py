@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._core import InputError
+from pliant.base.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
 from pliant.lab.validity.rows import TUNED, Row, Validity
-from pliant.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
-from pliant._sequence import LETTERS
-from pliant.analysis.joined_chains import joined_along
 from pliant.lab.validity.alpha_carbons import Trace, amino_part, trace_of
+from pliant.measure.joined_chains import joined_along
+from pliant.measure.sequence import LETTERS
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 
-from pliant import console
+from pliant.base import console
 from pliant.lab.validity.rows import Row, Validity
 
 COLUMNS = (*"system figure ours +- network ANM +- GNM ceiling must aim".split(), "", "data")

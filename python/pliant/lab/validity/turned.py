@@ -9,8 +9,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from pliant._sequence import aligned
-from pliant.analysis import agreement as alike
 from pliant.lab.validity.alpha_carbons import Trace, amino_part, chain_part, trace_of
 from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.measure import CLASHES
@@ -19,6 +17,8 @@ from pliant.lab.validity.rows import Row
 from pliant.lab.validity.sources import Files, Source
 from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import Subject
+from pliant.measure import agreement as alike
+from pliant.measure.sequence import aligned
 
 
 def state_rows(subject: Subject, goal: Trace, name: str) -> list[Row]:

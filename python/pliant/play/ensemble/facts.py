@@ -12,25 +12,25 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._core import Error, OptionError
-from pliant.analyse.analysis import AnalysisOptions
-from pliant.analyse.biology import flexibility_of_units
-from pliant.analyse.choose_representatives import representatives
-from pliant.analyse.domains.domain_texts import stretches
-from pliant.analyse.kind import ENSEMBLE, MEANING
-from pliant.analyse.opened import opened
-from pliant.analyse.parts import RigidDomains, Units
-from pliant.analyse.reference import reference_of
-from pliant.analyse.runner import Runner
-from pliant.analyse.units import units_of
-from pliant.analysis.domains import LOOSE
-from pliant.ensemble.frames import EnsembleFrames, folder_of
-from pliant.ensemble.plan import is_ensemble
+from pliant.measure.domains import LOOSE
+from pliant.measure.stages.analysis import AnalysisOptions
+from pliant.measure.stages.biology import flexibility_of_units
+from pliant.measure.stages.opened import opened
+from pliant.measure.stages.parts import RigidDomains, Units
+from pliant.measure.stages.reference import reference_of
+from pliant.measure.stages.runner import Runner
+from pliant.measure.stages.units import units_of
 from pliant.play.ensemble.many_frames import LEAST_FRAMES
 from pliant.play.ensemble.thinned import write_thinned
 from pliant.play.ensemble.turns import Turn, largest_turn
+from pliant.report.domains.domain_texts import stretches
+from pliant.report.representatives import representatives
+from pliant.trajectory.kind import ENSEMBLE, MEANING
+from pliant.trajectory.shards.frames import EnsembleFrames, folder_of
+from pliant.trajectory.shards.plan import is_ensemble
 
 if TYPE_CHECKING:
-    from pliant.analyse.analysis import Analysis
+    from pliant.measure.stages.analysis import Analysis
 
 MOST_BYTES = 96 * 1024**2  #: of positions that a page is given: so many can be opened and played
 MOST_SHAPES = 6  #: that stand for all, where the ensemble has no other shapes of its own

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import h5py
 
-from pliant.ensemble.plan import is_ensemble
+from pliant.trajectory.shards.plan import is_ensemble
 
 LEAST_FRAMES = 4  #: fewer are no ensemble
 

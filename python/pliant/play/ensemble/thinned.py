@@ -9,7 +9,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from pliant._output.new_file import new_file
+from pliant.base.new_file import new_file
 
 LEFT_OUT = ("parameters/checkpoint", "parameters/sterics")  #: which the page has no use for
 

@@ -56,7 +56,7 @@ def test_the_peptide_is_a_protein_to_the_model():
     assert len(model.positions) == 1600 and model.missing == []
     # From O of k to NH of k + 4, where the three residues between are among a helix' twelve.
     assert len(model.contacts) == pytest.approx(10 * 10, abs=2)
-    assert pliant.measure(model.framework, model.positions).within
+    assert pliant.measure_bars(model.framework, model.positions).within
 
 
 def test_copies_are_apart_and_each_a_molecule():

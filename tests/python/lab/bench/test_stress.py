@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from pliant._openmm.child import Outcome
+from pliant.checks.openmm.child import Outcome
 from pliant.lab.bench import stress_cases, stress_table
 from pliant.lab.bench.command import main
 from pliant.lab.bench.least_squares import least_squares_floor

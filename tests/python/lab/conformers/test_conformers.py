@@ -17,7 +17,7 @@ pytest.importorskip("openmm")
 pytest.importorskip("MDAnalysisTests")
 pytest.importorskip("prody")
 
-from pliant._openmm.child import Job, run_jobs  # noqa: E402
+from pliant.checks.openmm.child import Job, run_jobs  # noqa: E402
 from pliant.lab.bench.command import main  # noqa: E402
 from pliant.lab.conformers import contenders, measure, summary  # noqa: E402
 from pliant.lab.conformers.crystal_ligands import LIGANDS, crystal_ligands  # noqa: E402
@@ -167,7 +167,7 @@ def test_a_contender_that_fails_or_is_slow_is_a_row(ligands, tmp_path, monkeypat
     worker = tmp_path / "worker.py"
     worker.write_text(
         "import pathlib, sys, time\n"
-        "from pliant._openmm import worker\n"
+        "from pliant.checks.openmm import worker\n"
         "def fail(job): raise RuntimeError('CONF_GEN_FAILED')\n"
         "worker.main(pathlib.Path(sys.argv[1]), int(sys.argv[2]),\n"
         "            {'fail': fail, 'slow': lambda job: time.sleep(3600)})\n"

@@ -153,7 +153,7 @@ def test_trials_push_one_joint_by_as_much_as_is_asked():
         moved = np.linalg.norm(trial.pushed() - trial.positions, axis=1)
         assert np.flatnonzero(moved).tolist() == [trial.root]
         assert moved[trial.root] == pytest.approx(0.7)
-        assert pliant.measure(trial.framework, trial.positions).within
+        assert pliant.measure_bars(trial.framework, trial.positions).within
 
 
 def test_trees_take_one_sweep_of_every_bar():
@@ -207,7 +207,7 @@ def test_known_molecules_have_their_rings():
         facts = specimen.framework.graph_facts()
         assert facts.cycles == rings[specimen.name]
         assert facts.components == 1
-        assert pliant.measure(specimen.framework, specimen.positions).within
+        assert pliant.measure_bars(specimen.framework, specimen.positions).within
     assert {s.name for s in specimens.rdkit_molecules(["spirodecane"])} == {"spirodecane"}
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
+from pliant.base import console
 
 ORDER = 9
 SUMMARY = "conformers of small molecules beside ETKDGv3 (RDKit) and CONFORGE (CDPKit)"
@@ -42,7 +42,7 @@ def add_options(parser: console.Parser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
-    from pliant._extras import need
+    from pliant.base.extras import need
 
     need("pliant bench conformers", "rdkit")
     from pathlib import Path

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
+from pliant.base import console
 
 ORDER = 7
 SUMMARY = "whether the ensemble of one known structure contains the other, with ANM"
@@ -39,7 +39,7 @@ def add_options(parser: console.Parser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
-    from pliant._extras import need
+    from pliant.base.extras import need
 
     need("pliant bench coverage", "scipy")
     from pliant._core import OptionError

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
+from pliant.base import console
 
 ORDER = 8
 SUMMARY = "whether reported domains repeat between seeds, and are those of known pairs"
@@ -37,7 +37,7 @@ def add_options(parser: console.Parser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
-    from pliant._extras import need
+    from pliant.base.extras import need
 
     need("pliant bench domains", "scipy")
     from pliant.lab.bench.rows import write_csv

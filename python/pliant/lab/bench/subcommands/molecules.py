@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
+from pliant.base import console
 
 ORDER = 10
 SUMMARY = "the loop of the thesis on 30 small molecules, by every technique"
@@ -35,7 +35,7 @@ def add_options(parser: console.Parser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
-    from pliant._extras import need
+    from pliant.base.extras import need
 
     need("pliant bench molecules", "rdkit", "openmm")
     import pliant

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
+from pliant.base import console
 
 ORDER = 2
 SUMMARY = "time and memory from a thousand to ten million joints"

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
+from pliant.base import console
 
 ORDER = 5
 SUMMARY = "cost of a step after a push of one joint, in small and in large molecules"

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import OptionError, console
+from pliant import OptionError
+from pliant.base import console
 
 ORDER = 4
 SUMMARY = "every technique and OpenMM on hard cases: far, tiny, huge, redundant, impossible"

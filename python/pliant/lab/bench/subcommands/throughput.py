@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
+from pliant.base import console
 
 ORDER = 3
 SUMMARY = "conformers made whole per second, on one thread and on several"

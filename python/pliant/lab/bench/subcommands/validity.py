@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
+from pliant.base import console
 
 ORDER = 6
 SUMMARY = "sampled ensembles beside NMR, MD, crystals and known motions, with ANM and GNM"
@@ -55,7 +55,7 @@ def add_options(parser: console.Parser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
-    from pliant._extras import need
+    from pliant.base.extras import need
 
     need("pliant bench validity", "MDAnalysis", "scipy")
     from pliant.lab.bench.rows import write_csv

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import argparse
 
-from pliant import console
-from pliant._extras import need
+from pliant.base import console
+from pliant.base.extras import need
 
 ORDER = 1
 SUMMARY = "run time against error: every technique and OpenMM on one broken molecule"

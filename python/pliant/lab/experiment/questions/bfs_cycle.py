@@ -12,8 +12,8 @@ import numpy as np
 from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 import pliant
-from pliant import plotting
-from pliant._weightings import WEIGHTINGS
+from pliant.base import plotting
+from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.sweep_matrix import closing_rate, spectral_radius, sweep_matrix
 from pliant.lab.experiment.trials import (

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 import pliant
-from pliant import plotting
+from pliant.base import plotting
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.specimens import SMILES, Specimen, packaged_proteins, rdkit_molecules
 from pliant.lab.experiment.trials import as_text, digits

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 import pliant
-from pliant import plotting
+from pliant.base import plotting
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.questions.root_adaptation import family_trials
 from pliant.lab.experiment.specimens import SMILES, Specimen, packaged_proteins, rdkit_molecules

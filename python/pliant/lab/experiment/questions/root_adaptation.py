@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant import plotting
-from pliant._weightings import WEIGHTINGS
+from pliant.base import plotting
+from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.trials import (
     Trial,

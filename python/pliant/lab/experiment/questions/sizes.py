@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant import plotting
+from pliant.base import plotting
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.trials import (
     PUSH,

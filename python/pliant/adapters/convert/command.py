@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""The command ``pliant convert``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from pliant.adapters.convert.write import convert
+from pliant.base import console
+
+EPILOG = """\
+The name of OUT says the format: .h5md, .pdb or .cif (one model per frame), .sdf (one record per
+frame), .dcd, .xtc, .trr, .xyz or .zarr. DCD, XTC and TRR are written by MDAnalysis (pip
+install "pliant[analysis]"), SDF by RDKit ("pliant[rdkit]"), Zarr by xarray ("pliant[zarr]"), the
+others by Pliant itself.
+H5MD keeps every digit; PDB keeps 0.001 Angstrom, mmCIF and XYZ 0.00001, XTC 0.01, DCD and TRR
+32-bit floats. Observables and bars are left out. mmCIF has no bonds: programs know them from the
+names of residues. DCD, XTC and TRR have only positions: open them with the PDB file that pliant
+run writes beside its trajectory. A Zarr store has positions(frame, atom, xyz) with names of atoms
+and residues, and walker and step of each frame: xarray.open_zarr("many.zarr").
+
+exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
+
+examples:
+  pliant convert out.h5md -o out.xtc
+  pliant convert out.h5md -o ca.pdb --select "name CA" --every 10 --superpose
+  pliant convert many -o many.dcd          the folder of pliant ensemble, walker after walker
+  pliant convert many -o many.zarr         for xarray: all of it, in one store
+"""
+
+
+def make_parser() -> console.Parser:
+    """The options of pliant convert."""
+    parser = console.Parser(
+        "convert", "Writes an H5MD trajectory in a format that other programs read.", EPILOG
+    )
+    add = parser.add_argument
+    add(
+        "file",
+        metavar="IN",
+        help="H5MD trajectory of pliant run or sample, or the folder of an ensemble",
+    )
+    text = "file to write; its ending says the format"
+    add("-o", "--output", metavar="OUT", required=True, type=_file_name, help=text)
+    text = 'atoms that are written, such as "protein and name CA" (default: all)'
+    add("--select", metavar="WORDS", default="", help=text)
+    text = "only each Nth frame, from the first (default 1)"
+    add("--every", metavar="N", type=console.whole_number(1), default=1, help=text)
+    text = "superpose each frame on the first, by least squares over these atoms"
+    add("--superpose", action="store_true", help=text)
+    add("--overwrite", action="store_true", help="replace an existing OUT")
+    add("--json", action="store_true", help="print what was written as one JSON object")
+    add("--quiet", action="store_true", help="print nothing but errors")
+    return parser
+
+
+def _file_name(text: str) -> str:
+    if not text:
+        raise argparse.ArgumentTypeError("expected the name of a file, found nothing")
+    return text
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit code."""
+    arguments = make_parser().parse_args(words)
+    return console.run_command("convert", lambda: _convert(arguments))
+
+
+def _convert(arguments: argparse.Namespace) -> int:
+    done = convert(
+        arguments.file,
+        arguments.output,
+        select=arguments.select,
+        every=arguments.every,
+        superpose=arguments.superpose,
+        overwrite=arguments.overwrite,
+    )
+    if arguments.json:
+        console.print_json(vars(done))
+    elif not arguments.quiet:
+        frames = console.counted(done.frames, "frame")
+        print(f"{done.path}: {frames} of {done.atoms} atoms, {done.format}")
+    return console.EXIT_OK
+
+
+if __name__ == "__main__":
+    sys.exit(main())

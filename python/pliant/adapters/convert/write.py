@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: MIT
+"""Frames in a format that other programs read."""
+
+from __future__ import annotations
+
+import errno
+import os
+import pathlib
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant import _core
+from pliant._core import InputError, OptionError
+from pliant.adapters.convert.cif_models import write_models
+from pliant.adapters.convert.moment import Moment
+from pliant.adapters.convert.zarr_store import write_zarr
+from pliant.base.extras import need
+from pliant.base.new_file import new_file, new_text
+from pliant.trajectory.results import SampledEnsemble
+from pliant.trajectory.sources import Molecule
+from pliant.trajectory.superposition import Superposition
+from pliant.trajectory.trajectory import HasFrames, Trajectory
+
+if TYPE_CHECKING:
+    from MDAnalysis import Universe
+    from MDAnalysis.coordinates.base import WriterBase
+
+
+@dataclass
+class Converted:
+    """What was written."""
+
+    path: str
+    format: str
+    frames: int
+    atoms: int
+
+
+def convert(
+    source: HasFrames | Molecule,
+    output: str | os.PathLike[str],
+    *,
+    select: str = "",
+    every: int = 1,
+    superpose: bool = False,
+    overwrite: bool = False,
+) -> Converted:
+    """Writes frames in the format that `output` asks for.
+
+    Parameters
+    ----------
+    source : path, SampledEnsemble, RunResult, MolecularPath, Trajectory, Universe, ...
+        What a `Trajectory` is made of. Paths are of an H5MD file, of models (PDB, mmCIF, SDF),
+        or of an ensemble: a folder of ``pliant ensemble``, or the ``ensemble.pliant`` in it.
+    output : path
+        Ends in .h5md, .pdb, .ent, .cif, .mmcif, .sdf, .dcd, .xtc, .trr, .xyz or .zarr.
+    select : str
+        Atoms that are written; "": all.
+    every : int
+        Only each so manyth frame, from the first.
+    superpose : bool
+        Each frame is laid on the first, by least squares over the atoms that are written.
+    overwrite : bool
+        Replace an existing file.
+
+    Raises
+    ------
+    OptionError
+        The format is not known, or `select` chooses nothing.
+    MissingPackageError
+        MDAnalysis or RDKit is needed and not there.
+    InputError, FileError
+        The files cannot be read or written. `output` is then as it was before.
+    """
+    ending = pathlib.Path(output).suffix.lower()
+    if ending not in FORMATS:
+        known = ", ".join(FORMATS)
+        raise OptionError(f"{os.fspath(output)}: expected a name that ends in {known}")
+    name, write, package = FORMATS[ending]
+    if package:
+        need(f"writing {name}", package)
+    _refuse(source, output, overwrite)
+    trajectory = Trajectory(source)
+    if len(trajectory) == 0:
+        raise InputError(f"{trajectory.structure.source}: holds no frame")
+    structure = trajectory.structure
+    atoms = _chosen(structure, select)
+    part = structure if len(atoms) == len(structure) else _part_of(structure, select)
+    if ending in (".h5md", ".h5") and isinstance(source, SampledEnsemble) and every == 1:
+        source.record(output, overwrite=overwrite, save=select)  # with all that is known of it
+        return Converted(os.fspath(output), name, len(trajectory), len(atoms))
+    frames = _frames(trajectory, atoms, every, superpose)
+    count = write(os.fspath(output), part, frames, overwrite)
+    return Converted(os.fspath(output), name, count, len(atoms))
+
+
+def _refuse(source: HasFrames | Molecule, output: str | os.PathLike[str], overwrite: bool) -> None:
+    path = source if isinstance(source, (str, os.PathLike)) else None
+    if isinstance(source, HasFrames):
+        path = source.trajectory.path
+    if path and os.path.exists(path) and os.path.exists(output) and os.path.samefile(path, output):
+        raise OptionError(f"{os.fspath(output)}: is both input and output")
+    if not overwrite and os.path.exists(output):
+        raise _core.FileError(f"{os.fspath(output)}: exists; --overwrite replaces it")
+
+
+def _chosen(structure: _core.Structure, select: str) -> np.ndarray:
+    if not select:
+        return np.arange(len(structure))
+    atoms: np.ndarray = np.asarray(_core.select_atoms(structure, select), dtype=np.int64)
+    if len(atoms) == 0:
+        raise OptionError(f'--select "{select}": chooses none of {len(structure)} atoms')
+    return atoms
+
+
+def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", _core.PliantWarning)  # bonds that a selection cuts are gone
+        return structure.select(select)
+
+
+def _frames(
+    trajectory: Trajectory, atoms: np.ndarray, every: int, superpose: bool
+) -> Iterator[Moment]:
+    fit: Superposition | None = None
+    for frame in range(0, len(trajectory), every):
+        positions = trajectory[frame][atoms]
+        if superpose and fit is None:
+            fit = Superposition(positions, np.ones(len(atoms)))
+        elif fit is not None:
+            positions = fit.apply(positions)
+        step, time = trajectory.step(frame), trajectory.time(frame)
+        yield Moment(positions, step, time, trajectory._walker(frame))
+
+
+def _write_h5md(
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
+) -> int:
+    framework = structure.framework("bonds")
+    with _core.H5mdRecorder(
+        output, framework, structure=structure, overwrite=overwrite
+    ) as recorder:
+        for moment in frames:
+            found = _core.measure_bars(framework, moment.positions)
+            recorder.record(
+                _core.Frame(
+                    moment.step,
+                    moment.time,
+                    moment.positions,
+                    max_residual=found.max_relative,
+                    rms_residual=found.rms_relative,
+                )
+            )
+    return int(recorder.frames)
+
+
+def _write_sdf(
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
+) -> int:
+    from rdkit import Chem
+
+    from pliant.adapters import to_rdkit
+
+    molecule = to_rdkit(structure)
+    conformer, count = molecule.GetConformer(), 0
+    with new_text(output, overwrite=overwrite) as file:
+        for moment in frames:
+            conformer.SetPositions(np.ascontiguousarray(moment.positions))
+            molecule.SetIntProp("frame", moment.step)
+            file.write(Chem.SDWriter.GetText(molecule, molid=count))
+            count += 1
+    return count
+
+
+def _write_pdb(
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
+) -> int:
+    with _core.PdbRecorder(output, structure, overwrite=overwrite) as recorder:
+        for moment in frames:
+            recorder.record(moment.positions)
+    return int(recorder.models)
+
+
+def _write_cif(
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
+) -> int:
+    with new_text(output, overwrite=overwrite) as file:
+        return write_models(file, structure, (moment.positions for moment in frames))
+
+
+def _write_xyz(
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
+) -> int:
+    symbols, count = structure.symbols.tolist(), 0
+    with new_text(output, overwrite=overwrite) as file:
+        for moment in frames:
+            file.write(f"{len(symbols)}\nstep {moment.step}, time {moment.time:g} ps\n")
+            rows = zip(symbols, moment.positions.tolist(), strict=True)
+            file.writelines(f"{one:<2} {x:11.5f} {y:11.5f} {z:11.5f}\n" for one, (x, y, z) in rows)
+            count += 1
+    return count
+
+
+def _write_with_mdanalysis(
+    output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
+) -> int:
+    import MDAnalysis
+
+    from pliant.adapters import to_mdanalysis
+
+    universe = to_mdanalysis(structure)
+    ending = pathlib.Path(output).suffix[1:].upper()
+    count = 0
+    with new_file(output, overwrite=overwrite) as file, warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of boxes and names that are not there
+        path = os.fspath(file.path)
+        with MDAnalysis.Writer(path, n_atoms=len(structure), format=ending) as writer:
+            for moment in frames:
+                step = universe.trajectory.ts
+                step.positions = moment.positions
+                step.time, step.frame = moment.time, count
+                step.data["step"] = moment.step
+                _written(writer, universe)
+                count += 1
+        if not _ends_with(path, ending, count, universe.trajectory.ts.positions):
+            raise _no_room()
+    return count
+
+
+def _written(writer: WriterBase, universe: Universe) -> None:
+    try:
+        writer.write(universe.atoms)
+    except OSError as error:  # of C, without the system's reason
+        raise _no_room() from error
+
+
+def _no_room() -> OSError:
+    return OSError(errno.ENOSPC, "not all frames are there: is the disk full?")
+
+
+def _ends_with(path: str, ending: str, count: int, positions: np.ndarray) -> bool:
+    """Whether all frames are there: the writers do not hear of every full disk."""
+    from MDAnalysis.lib.formats.libdcd import DCDFile
+    from MDAnalysis.lib.formats.libmdaxdr import TRRFile, XTCFile
+
+    opened = {"DCD": DCDFile, "TRR": TRRFile, "XTC": XTCFile}[ending]
+    try:
+        with opened(path) as file:
+            if len(file) != count:
+                return False
+            file.seek(count - 1)
+            last = file.read()
+    except OSError:
+        return False
+    found = last.xyz if ending == "DCD" else 10 * last.x  # Angstrom, nm
+    return bool(np.allclose(found, positions, atol=0.01))
+
+
+#: Endings of names -> what they are, what writes them, and the package that it needs.
+FORMATS = {
+    ".h5md": ("H5MD", _write_h5md, ""),
+    ".h5": ("H5MD", _write_h5md, ""),
+    ".pdb": ("PDB, a model a frame", _write_pdb, ""),
+    ".ent": ("PDB, a model a frame", _write_pdb, ""),
+    ".cif": ("mmCIF, a model a frame", _write_cif, ""),
+    ".mmcif": ("mmCIF, a model a frame", _write_cif, ""),
+    ".sdf": ("SDF, a record a frame", _write_sdf, "rdkit"),
+    ".dcd": ("DCD", _write_with_mdanalysis, "MDAnalysis"),
+    ".xtc": ("XTC", _write_with_mdanalysis, "MDAnalysis"),
+    ".trr": ("TRR", _write_with_mdanalysis, "MDAnalysis"),
+    ".xyz": ("XYZ", _write_xyz, ""),
+    ".zarr": ("Zarr", write_zarr, "zarr"),
+}

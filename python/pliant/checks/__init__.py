@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Trajectories checked against OpenMM: their bars, its forces, and minimised frames."""

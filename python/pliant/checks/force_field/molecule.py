@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: MIT
+"""The part of a recorded molecule that the force field knows, with all its hydrogens."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pliant._core import Structure
+from pliant.checks.force_field.hydrogens import RESIDUES, Missing, find_missing, hydrogen_counts
+
+
+@dataclass
+class Molecule:
+    """Atoms as OpenMM gets them: those kept and hydrogens that were missing, residue by residue."""
+
+    kept: np.ndarray  #: (K,) atoms of the file
+    missing: list[Missing]  #: hydrogens to place, in numbers of the file
+    order: np.ndarray  #: (M,) of kept atoms followed by placed hydrogens, residue by residue
+    elements: np.ndarray  #: (M,) atomic numbers
+    names: np.ndarray  #: (M,) of atoms, "H" of placed hydrogens
+    residue_of: np.ndarray  #: (M,)
+    labels: list[str]  #: (R,) "A:LYS45"
+    bonds: np.ndarray  #: (B, 2)
+    left_out: dict[str, int] = field(default_factory=dict)  #: residues without a template, by name
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def placed(self) -> int:
+        """Hydrogens that the file has not."""
+        return len(self.order) - len(self.kept)
+
+    @property
+    def alpha_carbons(self) -> np.ndarray:
+        """(A,) of the completed atoms."""
+        return np.flatnonzero((self.names == "CA") & (self.elements == 6))
+
+    def complete(self, positions: np.ndarray) -> np.ndarray:
+        """(M, 3) of a frame (N, 3) of the file, Angstrom."""
+        placed = [group.place(positions).reshape(-1, 3) for group in self.missing]
+        completed: np.ndarray = np.concatenate([positions[self.kept], *placed])[self.order]
+        return completed
+
+    def corners(self) -> tuple[np.ndarray, list[str]]:
+        """(C, 4) atoms N, C, CB and CA of residues that have a hand, and their labels."""
+        found, labels = [], []
+        for residue, label in enumerate(self.labels):
+            atoms = np.flatnonzero(self.residue_of == residue)
+            by_name = dict(zip(self.names[atoms], atoms, strict=True))
+            if {"N", "C", "CB", "CA"} <= by_name.keys():
+                found.append([by_name[name] for name in ("N", "C", "CB", "CA")])
+                labels.append(label)
+        return np.array(found, int).reshape(-1, 4), labels
+
+
+def why_not(structure: Structure) -> str:
+    """Why no force field of proteins applies at all; "" where it does."""
+    known = [name for name in structure.residue_names if name in RESIDUES]
+    return "" if known else "there is no amino acid in it"
+
+
+def molecule_of(structure: Structure) -> Molecule:
+    """Leaves residues out that amber14 has no template for, and finds the missing hydrogens."""
+    residue_of = np.asarray(structure.residue_of).astype(int)
+    residue_names = [str(name) for name in structure.residue_names]  # of atoms
+    is_known = np.array([name in RESIDUES for name in residue_names], bool)
+    kept = np.flatnonzero(is_known)
+    elements = np.asarray(structure.elements).astype(int)
+    bonds = np.asarray(structure.bonds).astype(int).reshape(-1, 2)
+    bonds = bonds[np.isin(bonds, kept).all(axis=1)]
+    names = np.array([str(name) for name in structure.names])
+    wanted = _wanted(kept, names, residue_names)
+    missing = find_missing(wanted, elements, _neighbours(bonds, len(elements)))
+    molecule = _ordered(structure, kept, missing, bonds, residue_of)
+    molecule.left_out = _left_out(structure, is_known)
+    molecule.notes += _notes_on_ends(molecule)
+    return molecule
+
+
+def _wanted(kept: np.ndarray, names: np.ndarray, residue_names: list[str]) -> np.ndarray:
+    """(N,) hydrogens that each carbon must have, -1 of other atoms."""
+    wanted = np.full(len(names), -1)
+    counts = {name: hydrogen_counts(name) for name in set(residue_names) if name in RESIDUES}
+    for atom in kept:
+        wanted[atom] = counts[residue_names[atom]].get(names[atom], -1)
+    return wanted
+
+
+def _neighbours(bonds: np.ndarray, count: int) -> list[list[int]]:
+    found: list[list[int]] = [[] for _ in range(count)]
+    for a, b in bonds.tolist():
+        found[a].append(b)
+        found[b].append(a)
+    return [sorted(around) for around in found]
+
+
+def _ordered(
+    structure: Structure,
+    kept: np.ndarray,
+    missing: list[Missing],
+    bonds: np.ndarray,
+    residue_of: np.ndarray,
+) -> Molecule:
+    """Atoms of a residue come together: hydrogens that were placed follow its others."""
+    carriers = [np.repeat(group.carbons, group.hydrogens) for group in missing]
+    carrier = np.concatenate([np.empty(0, int), *carriers])
+    owner = np.concatenate([residue_of[kept], residue_of[carrier]])
+    order = np.argsort(owner, kind="stable")
+    place = np.argsort(order)  # of the unordered atom among the ordered
+    new = np.full(len(residue_of), -1)
+    new[kept] = place[: len(kept)]
+    residue_index = np.unique(owner[order], return_inverse=True)[1]
+    firsts = kept[np.unique(residue_of[kept], return_index=True)[1]]
+    return Molecule(
+        kept=kept,
+        missing=missing,
+        order=order,
+        elements=np.concatenate([structure.elements[kept], np.ones(len(carrier), int)])[order],
+        names=np.concatenate([structure.names[kept], np.full(len(carrier), "H")])[order],
+        residue_of=residue_index,
+        labels=[_label(structure, int(atom)) for atom in firsts],
+        bonds=np.concatenate(
+            [new[bonds], np.column_stack([new[carrier], place[len(kept) :]])]
+        ).reshape(-1, 2),
+    )
+
+
+def _label(structure: Structure, atom: int) -> str:
+    """ "A:LYS45", of the residue of an atom."""
+    chain = str(structure.chains[atom]).strip()
+    number = f"{structure.residue_ids[atom]}{structure.insertion_codes[atom]}".strip()
+    return f"{chain}:" * bool(chain) + f"{structure.residue_names[atom]}{number}"
+
+
+def _left_out(structure: Structure, is_known: np.ndarray) -> dict[str, int]:
+    unknown = np.flatnonzero(~is_known)
+    firsts = unknown[np.unique(np.asarray(structure.residue_of)[unknown], return_index=True)[1]]
+    return dict(Counter(str(structure.residue_names[atom]) for atom in firsts))
+
+
+def _notes_on_ends(molecule: Molecule) -> list[str]:
+    """Notes on residues at the end of a chain or at a gap that lack the atoms of an end."""
+    neighbours = _neighbours(molecule.bonds, len(molecule.elements))
+    open_ends = []
+    for name, wanted in (("N", 1), ("C", 8)):
+        for atom in np.flatnonzero(molecule.names == name):
+            around = neighbours[atom]
+            inside = all(molecule.residue_of[k] == molecule.residue_of[atom] for k in around)
+            if inside and sum(molecule.elements[k] == wanted for k in around) < 2:
+                open_ends.append(molecule.labels[molecule.residue_of[atom]])
+    if not open_ends:
+        return []
+    named = ", ".join(open_ends[:3]) + (", ..." if len(open_ends) > 3 else "")
+    return [
+        f"{len(open_ends)} ends of chains lack the atoms of an end ({named}): the force field "
+        "takes them as if the chain went on"
+    ]

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""Energies of conformers: by RDKit's MMFF94s or UFF, or by a force field of OpenMM; kcal/mol.
+
+MMFF94s: T. A. Halgren, J. Comput. Chem. 20 (1999) 720. UFF: A. K. Rappe et al., J. Am. Chem. Soc.
+114 (1992) 10024.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from pliant._core import InputError, Structure
+from pliant.base.extras import is_there
+
+if TYPE_CHECKING:
+    from rdkit.Chem import Mol
+
+Positions = npt.NDArray[np.float64]
+
+MOST_STEPS = 500  #: of a minimisation of one conformer
+KJ_PER_KCAL = 4.184
+OWN = "Pliant's own energy, kcal/mol"
+
+
+@dataclass(frozen=True)
+class Energy:
+    """An energy of one molecule."""
+
+    name: str  #: in words, with its unit
+    of: Callable[[Positions], float]  #: of (N, 3) Angstrom
+    minimised: Callable[[Positions], Positions]  #: the same atoms at a minimum near by
+
+
+def energy_of(name: str, structure: Structure, molecule: Callable[[], Mol]) -> Energy | None:
+    """The energy asked for; None where it is our own, or where none is.
+
+    `molecule` makes that of RDKit, and is asked for where RDKit is to work. Raises InputError where
+    the force field lacks parameters.
+    """
+    if name in ("none", "own") or (name == "auto" and not is_there("rdkit")):
+        return None
+    if name.lower().endswith(".xml"):
+        return _of_openmm(name, structure)
+    return _of_rdkit(name, molecule())
+
+
+def _of_rdkit(name: str, molecule: Mol) -> Energy:
+    import rdkit
+    from rdkit import Chem, rdBase
+    from rdkit.Chem import rdForceFieldHelpers as Fields
+
+    own = Chem.Mol(molecule, True)  # without conformers
+    own.AddConformer(Chem.Conformer(own.GetNumAtoms()))
+    used, field = name, None
+    with rdBase.BlockLogs():
+        if name != "UFF" and Fields.MMFFHasAllMoleculeParams(own):
+            used = "MMFF94s"
+            properties = Fields.MMFFGetMoleculeProperties(own, "MMFF94s")
+            field = Fields.MMFFGetMoleculeForceField(own, properties)
+        elif name != "MMFF94s" and Fields.UFFHasAllMoleculeParams(own):
+            used = "UFF" if name == "UFF" else "UFF, as MMFF94s lacks parameters"
+            field = Fields.UFFGetMoleculeForceField(own)
+    if field is None:
+        asked = "MMFF94s and UFF" if name == "auto" else name
+        raise InputError(f"{asked} of RDKit: parameters of an atom are missing")
+    field.Initialize()
+
+    def of(positions: Positions) -> float:
+        return float(field.CalcEnergy(positions.ravel().tolist()))
+
+    def minimised(positions: Positions) -> Positions:
+        own.GetConformer().SetPositions(np.ascontiguousarray(positions))
+        if used == "MMFF94s":
+            Fields.MMFFOptimizeMolecule(own, "MMFF94s", maxIters=MOST_STEPS)
+        else:
+            Fields.UFFOptimizeMolecule(own, maxIters=MOST_STEPS)
+        found: Positions = own.GetConformer().GetPositions()
+        return found
+
+    return Energy(f"{used}, RDKit {rdkit.__version__}, kcal/mol", of, minimised)
+
+
+@lru_cache(maxsize=1)
+def _force_field(path: str) -> Any:
+    from openmm import app
+
+    return app.ForceField(path)
+
+
+def _of_openmm(path: str, structure: Structure) -> Energy:
+    import openmm
+    from openmm import app, unit
+
+    from pliant.adapters.openmm import to_openmm
+
+    modeller = to_openmm(structure)
+    try:
+        field = _force_field(path)
+        system = field.createSystem(
+            modeller.topology, nonbondedMethod=app.NoCutoff, constraints=None, rigidWater=False
+        )
+    except Exception as error:  # OpenMM raises plain ones
+        raise InputError(f"{path}: {str(error).splitlines()[0]}") from None
+    platform = openmm.Platform.getPlatformByName("Reference")  # the same bits each time
+    context = openmm.Context(system, openmm.VerletIntegrator(0.001), platform)
+
+    def of(positions: Positions) -> float:
+        context.setPositions(positions / 10)
+        found = context.getState(getEnergy=True).getPotentialEnergy()
+        return float(found.value_in_unit(unit.kilojoule_per_mole)) / KJ_PER_KCAL
+
+    def minimised(positions: Positions) -> Positions:
+        context.setPositions(positions / 10)
+        openmm.LocalEnergyMinimizer.minimize(context, maxIterations=MOST_STEPS)
+        found = context.getState(getPositions=True).getPositions(asNumpy=True)
+        return np.array(found.value_in_unit(unit.angstrom), dtype=np.float64)
+
+    return Energy(f"{path}, OpenMM {openmm.__version__}, kcal/mol", of, minimised)

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""The conformers of one molecule: starts, candidates, energies, and those that are kept."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+from pliant._core import InputError
+from pliant.base.said import noted
+from pliant.jobs.conformers import core
+from pliant.jobs.conformers.energies import OWN, energy_of
+from pliant.jobs.conformers.options import ConformerOptions
+from pliant.jobs.conformers.subject import Subject
+
+
+@dataclass
+class Made:
+    """What was made of one molecule, lowest energy first."""
+
+    subject: Subject
+    positions: npt.NDArray[np.float64]  #: (n, N, 3) Angstrom
+    starts: npt.NDArray[np.int64]  #: (n,) from 0
+    energies: npt.NDArray[np.float64] | None  #: (n,) kcal/mol
+    energy_name: str  #: in words; "" where none was asked for
+    rest: npt.NDArray[np.float64]  #: (S, N, 3) Angstrom, the starts: lengths at rest
+    worst_bar: float  #: relative; nan once a force field has minimised
+    asked: int
+    minimised: bool = False
+    notes: list[str] = field(default_factory=list)
+    seconds: dict[str, float] = field(default_factory=dict)  #: by stage
+
+
+def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
+    """The conformers of a molecule. Raises InputError and OptionError as the library does."""
+    seconds: dict[str, float] = {}
+    with noted() as notes:
+        with _timed(seconds, "draw"):
+            drawn = core.draw(subject.structure, options, threads)
+        if len(drawn.positions) == 0:
+            raise InputError(f"none of {options.frames} candidates is whole")
+        with _timed(seconds, "energy"):
+            energy = energy_of(options.energy, subject.structure, lambda: subject.molecule)
+            energies = drawn.score if options.energy != "none" else np.zeros_like(drawn.score)
+            if energy is not None:
+                energies = np.array([energy.of(one) for one in drawn.positions])
+        positions, of_start = drawn.positions, drawn.start
+        with _timed(seconds, "choose"):
+            kept = core.choose(subject.structure, positions, energies, options)
+            positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
+        if options.minimise and energy is not None:
+            with _timed(seconds, "minimise"):
+                positions = np.array([energy.minimised(one) for one in positions])
+                energies = np.array([energy.of(one) for one in positions])
+                kept = core.choose(subject.structure, positions, energies, options)
+                positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
+    has_energy = options.energy != "none"
+    name = energy.name if energy is not None else OWN if has_energy else ""
+    minimised = options.minimise and energy is not None
+    return Made(
+        subject,
+        positions,
+        of_start,
+        energies if has_energy else None,
+        name,
+        drawn.starts,
+        np.nan if minimised else drawn.worst_bar,
+        options.max,
+        minimised,
+        subject.notes + notes,
+        seconds,
+    )
+
+
+def as_sdf(made: Made) -> str:
+    """The conformers as records of an SDF, with the data items of the molecule and of ours."""
+    subject = made.subject
+    parts = []
+    for k, positions in enumerate(made.positions):
+        parts += [subject.text(positions), subject.block.items]
+        parts += [f"> <{name}>\n{value}\n\n" for name, value in items_of(made, k)]
+        parts.append("$$$$\n")
+    return "".join(parts)
+
+
+def items_of(made: Made, k: int) -> list[tuple[str, str]]:
+    """Name and value of each data item of conformer k."""
+    items = [("pliant_conformer", str(k + 1)), ("pliant_start", str(made.starts[k] + 1))]
+    if made.energies is not None:
+        items.append(("pliant_energy", f"{made.energies[k]:.3f}"))
+        items.append(("pliant_energy_name", made.energy_name))
+    if made.minimised:
+        items.append(("pliant_lengths", "minimised: lengths and angles are the force field's"))
+    else:
+        items.append(("pliant_worst_bar", f"{made.worst_bar:.1e}"))
+        if made.starts[k] not in made.starts[:k]:
+            items.append(("pliant_start_positions", _table(made.rest[made.starts[k]])))
+    return items
+
+
+def _table(positions: npt.NDArray[np.float64]) -> str:
+    """A line for each atom, Angstrom."""
+    return "\n".join(f"{x:.4f} {y:.4f} {z:.4f}" for x, y, z in positions)
+
+
+@contextmanager
+def _timed(seconds: dict[str, float], stage: str) -> Iterator[None]:
+    began = time.process_time()
+    yield
+    seconds[stage] = seconds.get(stage, 0.0) + time.process_time() - began

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: MIT
+"""Molecules over processes: in the order of the file, none lost, whatever befalls a process."""
+
+from __future__ import annotations
+
+import contextlib
+import gzip
+import re
+import signal
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from multiprocessing import get_context
+from multiprocessing.connection import Connection, wait
+from typing import Any
+
+from pliant._core import Error
+from pliant.base.extras import MissingPackageError
+from pliant.base.processes import end_with_parent
+from pliant.jobs.conformers.make import as_sdf, make
+from pliant.jobs.conformers.options import ConformerOptions
+from pliant.jobs.conformers.records import Record, short
+from pliant.jobs.conformers.repeated import canonical_smiles
+from pliant.jobs.conformers.subject import subject_of
+
+AHEAD = 16  #: molecules a process that may be done before the one that is written next
+
+
+@dataclass
+class Outcome:
+    """What became of one record."""
+
+    number: int
+    name: str
+    conformers: int = 0
+    reason: str = ""  #: why there are none
+    energy: str = ""  #: its name
+    notes: list[str] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+    smiles: str = ""  #: canonical, of the isomer that was made; "" where RDKit is not installed
+    seconds: dict[str, float] = field(default_factory=dict)  #: CPU, by stage
+    text: bytes = b""  #: the records to write
+
+    @property
+    def called(self) -> str:
+        """ "record 3 (aspirin)", for messages."""
+        return f"record {self.number}" + (f" ({short(self.name)})" if self.name else "")
+
+
+def outcome_of(
+    record: Record,
+    options: ConformerOptions,
+    is_zipped: bool,
+    threads: int = 1,
+    *,
+    is_alone: bool = False,
+) -> Outcome:
+    """Makes the conformers of a record; errors become the reason why there are none.
+
+    The SMILES of one that `is_alone` is not asked for.
+    """
+    outcome = Outcome(record.number, record.name)
+    try:
+        subject = subject_of(record, options)
+        made = make(subject, options, threads)
+        text = as_sdf(made).encode("utf-8", "surrogateescape")
+        outcome.smiles = "" if is_alone else canonical_smiles(subject)
+    except MissingPackageError:
+        raise
+    except (Error, OSError) as error:
+        outcome.reason = _without_place(str(error), record)
+        return outcome
+    except Exception as error:  # of RDKit, say: the others go on
+        outcome.reason = f"{type(error).__name__}: {error}"
+        return outcome
+    outcome.conformers, outcome.energy = len(made.positions), made.energy_name
+    outcome.notes, outcome.seconds = made.notes, made.seconds
+    outcome.warnings = subject.warnings
+    outcome.text = gzip.compress(text, 6, mtime=0) if is_zipped else text
+    return outcome
+
+
+def _without_place(text: str, record: Record) -> str:
+    text = text.removeprefix(record.place)
+    return re.sub(r"^:(\d+)?:? ", lambda at: f"line {at[1]}: " if at[1] else "", text)
+
+
+class _Worker:
+    """A process with at most one record."""
+
+    def __init__(self, options: ConformerOptions, is_zipped: bool) -> None:
+        context = get_context("spawn")
+        self.ours, theirs = context.Pipe()
+        self._process = context.Process(target=_serve, args=(theirs, options, is_zipped))
+        self._process.daemon = True
+        self._process.start()
+        theirs.close()
+        self.record: Record | None = None
+
+    def give(self, record: Record) -> None:
+        self.record = record
+        with contextlib.suppress(OSError):  # where it has ended take() says so
+            self.ours.send(record)
+
+    def take(self) -> Outcome | BaseException:
+        record, self.record = self.record, None
+        assert record is not None
+        try:
+            found: Outcome | BaseException = self.ours.recv()
+            return found
+        except (EOFError, OSError):
+            self._process.join()
+            code = self._process.exitcode
+            reason = f"the process that worked on it ended with code {code}"
+            return Outcome(record.number, record.name, reason=reason)
+
+    @property
+    def is_alive(self) -> bool:
+        return self._process.exitcode is None
+
+    def end(self) -> None:
+        self.ours.close()
+        self._process.terminate()
+        self._process.join()
+
+
+def _serve(ours: Connection, options: ConformerOptions, is_zipped: bool) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent
+    end_with_parent()
+    while True:
+        try:
+            record = ours.recv()
+        except EOFError:
+            return
+        try:
+            answer: Any = outcome_of(record, options, is_zipped)
+        except MissingPackageError as error:
+            answer = error
+        ours.send(answer)
+
+
+def outcomes(
+    records: Iterable[Record], options: ConformerOptions, workers: int, is_zipped: bool
+) -> Iterator[Outcome]:
+    """What becomes of each record, in their order; the bytes do not depend on `workers`.
+
+    A single record is worked on in this process. Raises MissingPackageError.
+    """
+    waiting = iter(records)
+    first = next(waiting, None)
+    second = next(waiting, None)
+    if first is None:
+        return
+    if second is None:
+        yield outcome_of(first, options, is_zipped, workers, is_alone=first.number == 1)
+        return
+    pool = [_Worker(options, is_zipped) for _ in range(workers)]
+    try:
+        yield from _over(pool, _chained(first, second, waiting), options, is_zipped)
+    finally:
+        for worker in pool:
+            worker.end()
+
+
+def _chained(first: Record, second: Record, rest: Iterator[Record]) -> Iterator[Record]:
+    yield first
+    yield second
+    yield from rest
+
+
+def _over(
+    pool: list[_Worker], records: Iterator[Record], options: ConformerOptions, is_zipped: bool
+) -> Iterator[Outcome]:
+    order: list[int] = []  # numbers that are under way or done, and not yet yielded
+    done: dict[int, Outcome] = {}
+    is_more = True
+    while is_more or order:
+        for k, worker in enumerate(pool):
+            if worker.record is not None or not is_more or len(order) >= AHEAD * len(pool):
+                continue
+            record = next(records, None)
+            if record is None:
+                is_more = False
+                break
+            if not worker.is_alive:
+                worker.end()
+                worker = pool[k] = _Worker(options, is_zipped)
+            worker.give(record)
+            order.append(record.number)
+        busy = {worker.ours: worker for worker in pool if worker.record is not None}
+        for ready in wait(list(busy)) if busy else ():
+            assert isinstance(ready, Connection)
+            found = busy[ready].take()
+            if isinstance(found, BaseException):
+                raise found
+            done[found.number] = found
+        while order and order[0] in done:
+            yield done.pop(order.pop(0))

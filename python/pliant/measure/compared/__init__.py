@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Two ensembles, or two paths, in numbers: which atoms are the same, and how alike they move."""

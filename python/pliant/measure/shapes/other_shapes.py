@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""The other shapes in an ensemble: which frames they are, what turned, what broke, what opened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.measure.domains.rigid_turns import RigidTurns, rigid_turns
+from pliant.measure.pockets.opened_pockets import PocketChange, PocketFinder
+from pliant.measure.shapes.known_pairs import quartiles_of_like, softness
+from pliant.measure.shapes.shapes import ShapeGroups, find_shapes
+from pliant.measure.stages.names import chains_of
+from pliant.measure.stages.parts import Part, ReferenceStructure
+from pliant.measure.stages.units import trace_of
+from pliant.trajectory.kind import ENSEMBLE
+from pliant.trajectory.recorded_contacts import HELD
+
+if TYPE_CHECKING:
+    from pliant.measure.stages.analysis import Analysis
+    from pliant.measure.stages.runner import Runner
+
+REMARK_OF_SHAPES = "one frame per shape; populations are not claimed"
+#: chains shorter than this in all have no shapes
+LEAST_SITES = 20
+#: of more residues than these every second one is compared, or third ...
+MOST_SITES = 1000
+#: frames around the start whose pockets are measured, to know how much pockets differ without cause
+NEAR_LOOKED_AT = 5
+
+
+@dataclass(frozen=True)
+class Shape:
+    """One shape, by the frame that stands for it."""
+
+    frame: int  #: number in the file
+    frames: int  #: how many of the frames compared are of it
+    rmsd: float  #: of that frame from the start, Angstrom
+    spread: float  #: mean RMSD of its frames from that one, Angstrom
+    turns: RigidTurns  #: of the sites, from the start to that frame
+    gone: np.ndarray | None  #: contacts of the start that it lacks; None: the file does not say
+    pockets: tuple[PocketChange, ...]  #: larger than at the start, largest growth first
+
+
+@dataclass(frozen=True)
+class OtherShapes(Part):
+    """The shapes of an ensemble that are none of the start."""
+
+    looked_for: bool  #: False: all frames were drawn around the start
+    sites: np.ndarray  #: (s,) indices of the atoms (CA, P) that the turns are of
+    near: int  #: frames no further from the start than the limit
+    groups: ShapeGroups | None
+    places: np.ndarray  #: (k,) of the representatives, among the frames analysed
+    shapes: tuple[Shape, ...]  #: furthest from the start first
+    #: (3,) quartiles of how far known pairs of like softness are apart, Angstrom; None: not known
+    known: np.ndarray | None
+    no_pockets: str  #: why pockets were not looked for; "": they were
+
+    @property
+    def alone(self) -> int:
+        """Frames beyond the limit that are like no other."""
+        return 0 if self.groups is None else len(self.groups.alone)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the results should know."""
+        notes = []
+        if self.groups is not None:
+            far = int(np.count_nonzero(self.groups.rmsd > self.groups.limit))
+            if len(self.groups.compared) < far:
+                notes.append(f"shapes are of {len(self.groups.compared)} frames taken evenly")
+        if self.shapes and self.no_pockets:
+            notes.append(f"no pockets of shapes: {self.no_pockets}")
+        return tuple(notes)
+
+
+def shape_groups(analysis: Analysis) -> tuple[np.ndarray, ShapeGroups] | None:
+    """Indices of the atoms compared (CA, P), and the shapes of their frames.
+
+    None where frames are no ensemble of residues, or all were drawn around the start.
+    """
+    if not _has_shapes(analysis) or analysis.reaches is None:
+        return None
+    trace = trace_of(analysis.atoms).ix
+    trace = trace[:: -(-len(trace) // MOST_SITES)]
+    start = analysis[ReferenceStructure].positions[trace]
+    return trace, find_shapes(analysis.stored_positions(trace), start, ~analysis.reaches)
+
+
+def _has_shapes(analysis: Analysis) -> bool:
+    drawn = analysis.observable("sampler")
+    if analysis.kind != ENSEMBLE or drawn is None or not drawn.any():
+        return False
+    return len(trace_of(analysis.atoms)) >= LEAST_SITES
+
+
+def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
+    """Shapes, their turns, contacts and pockets; that there are none to look for, if so."""
+    if not _has_shapes(analysis):
+        return
+    found = shape_groups(analysis)
+    none = np.zeros(0, dtype=np.int64)
+    if found is None:
+        yield OtherShapes(False, none, len(analysis.frames), None, none, (), None, "")
+        return
+    trace, groups = found
+    places = groups.representatives
+    pockets = PocketFinder(analysis, trace)
+    if len(places) and not pockets.why_not:
+        near = np.flatnonzero(groups.rmsd <= groups.limit)
+        pockets.look_at(near[np.linspace(0, len(near) - 1, NEAR_LOOKED_AT).astype(int)])
+    chains = chains_of(analysis.universe.atoms[trace])
+    start = analysis[ReferenceStructure].positions[trace]
+    one_chain = len(set(chains)) == 1 and len(trace) == len(trace_of(analysis.atoms))
+    known = quartiles_of_like(softness(start)) if one_chain else None
+    shapes = []
+    for k, place in enumerate(places):
+        turns = rigid_turns(start, analysis.positions(place)[trace], chains)
+        shapes.append(
+            Shape(
+                int(analysis.frames[place]),
+                len(groups.members[k]),
+                float(groups.rmsd[place]),
+                float(groups.distances[k].mean()),
+                turns,
+                _contacts_gone(analysis, place),
+                pockets.larger_than_at_start(place),
+            )
+        )
+    near_count = int(np.count_nonzero(groups.rmsd <= groups.limit))
+    yield OtherShapes(
+        True, trace, near_count, groups, places, tuple(shapes), known, pockets.why_not
+    )
+
+
+def _contacts_gone(analysis: Analysis, place: int) -> np.ndarray | None:
+    """Contacts that the model holds at the start and this frame does not."""
+    contacts = analysis.record.contacts if analysis.record else None
+    number = analysis.frames[place]
+    if contacts is None or contacts.states is None or len(contacts.states) <= number:
+        return None
+    return np.flatnonzero(contacts.states[number] != HELD)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""The structure that frames are compared with: the one that a run or an ensemble began with."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import MDAnalysis
+import numpy as np
+
+from pliant._core import InputError
+from pliant.base.output_names import start_beside
+from pliant.measure.stages.parts import ReferenceStructure
+
+if TYPE_CHECKING:
+    from MDAnalysis import Universe
+
+    from pliant.measure.stages.analysis import Analysis
+
+
+def reference_of(analysis: Analysis) -> ReferenceStructure:
+    """The file that the options name; else the PDB that `pliant run` and `sample` write beside
+    their trajectory; else the first frame.
+
+    Raises InputError when the named file cannot be read or has other atoms.
+    """
+    named = analysis.options.reference
+    if named is not None:
+        return ReferenceStructure(_same_atoms(analysis.universe, Path(named)), Path(named).name)
+    beside, note = start_beside(analysis.options.path), ""
+    if analysis.record is not None and beside.is_file():
+        try:
+            positions = _same_atoms(analysis.universe, beside)
+        except InputError as error:
+            note = f"not compared with the start structure: {error}"
+        else:
+            note = f"compared with {beside.name}, the structure beside the trajectory"
+            return ReferenceStructure(positions, beside.name, note)
+    return ReferenceStructure(analysis.positions(0), "the first frame", note, found=not note)
+
+
+def _same_atoms(universe: Universe, path: Path) -> np.ndarray:
+    """Positions of a structure file whose atoms are those of the universe."""
+    if not path.is_file():
+        raise InputError(f"{path}: no such file")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            other = MDAnalysis.Universe(str(path))
+        except Exception as error:  # MDAnalysis raises whatever its readers meet
+            reason = " ".join(str(error).split()) or type(error).__name__
+            raise InputError(f"{path}: MDAnalysis cannot read it: {reason}") from error
+    ours, theirs = universe.atoms, other.atoms
+    if len(ours) != len(theirs):
+        raise InputError(f"{path}: expected {len(ours)} atoms, found {len(theirs)}")
+    if hasattr(ours, "names") and hasattr(theirs, "names"):
+        unlike = np.flatnonzero(np.asarray(ours.names) != np.asarray(theirs.names))
+        if len(unlike):
+            k = int(unlike[0])
+            raise InputError(
+                f"{path}: atom {k}: expected '{ours.names[k]}', found '{theirs.names[k]}'"
+            )
+    positions: np.ndarray = theirs.positions.astype(np.float64)
+    return positions

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Reports: a trajectory, a comparison, a study, rigidity or shards as figures, tables and pages."""

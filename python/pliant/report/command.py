@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: MIT
+"""The subcommand ``pliant analyse``: figures, tables and a report page of a trajectory."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from pliant._core import OptionError
+from pliant.base.console import (
+    EXIT_OK,
+    MOST_PROCESSES,
+    Parser,
+    note,
+    print_json,
+    printable_name,
+    run_command,
+    stages,
+    whole_number,
+)
+from pliant.trajectory.freed_memory import give_back_freed_memory
+from pliant.trajectory.shards.plan import is_ensemble
+
+DESCRIPTION = """\
+Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, report.html, which
+opens in a browser without a network and shows the molecule moving.
+
+It shows how flexible each residue is, with an error; which parts move together; collective
+motions; for sampler reach or pocket, what else the molecule could look like: shapes, what turned
+about which hinges, pockets that opened; contacts kept and lost; and whether the stereochemistry is
+sound: bond angles, chirality, planar groups, peptide bonds, Ramachandran, overlaps, and every bar
+(fixed distance) of every frame.
+
+It takes any trajectory that MDAnalysis reads. What cannot be computed from a file is left out,
+and the page says so. The folder also holds files for other programs: flexibility.csv,
+bfactors.pdb, modes.nmd (ProDy, VMD), shapes.pdb, ensemble.pdb with scripts for PyMOL and
+ChimeraX."""
+
+EPILOG = """\
+examples:
+  pliant analyse caffeine.h5md
+  pliant analyse adk.h5md -o adk-report --select "not name H*"
+  pliant analyse adk.h5md --distance "resid 55" "resid 169"
+  pliant sample adk.pdb --sampler reach -o far.h5md && pliant analyse far.h5md
+  pliant analyse run.xtc --topology run.pdb --superpose "name CA"
+  pliant analyse many --workers 2          the folder of pliant ensemble
+
+For the folder of pliant ensemble, which may be larger than memory, it reports the flexibility of
+residues (with errors between walkers, or between frames of pliant sample), collective motions,
+contacts, clusters, and whether two halves of the walkers or frames agree. Torsions,
+stereochemistry, domains, shapes and report.html are left out. Only -o, --workers and the output
+options can be given.
+
+MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
+Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),
+1 the input cannot be read, 2 wrong usage."""
+
+#: options that --help shows
+COMMON = ("--output", "--topology", "--select", "--superpose", "--distance")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
+    options = _parser().parse_args(arguments)
+    give_back_freed_memory()
+    return run_command("analyse", lambda: _analyse(options))
+
+
+def _parser() -> Parser:
+    parser = Parser("analyse", DESCRIPTION, EPILOG, COMMON)
+    add = parser.add_argument
+    add(
+        "file",
+        metavar="FILE",
+        help="trajectory of pliant sample or run (H5MD), or of another program; or the folder of\n"
+        "an ensemble",
+    )
+    text = "folder for the results (default: FILE's name with -report)"
+    add("-o", "--output", metavar="DIR", help=text)
+    text = "file of atoms and bonds, if FILE holds none (PDB, GRO, PSF ...)"
+    add("--topology", metavar="FILE", help=text)
+    _add_choice_of_atoms(parser.add_argument_group("atoms").add_argument)
+    _add_choice_of_frames(parser.add_argument_group("frames").add_argument)
+    _add_output(parser.add_argument_group("output").add_argument)
+    return parser
+
+
+def _add_choice_of_atoms(add: Callable[..., object]) -> None:
+    add("--select", metavar="SELECTION", default="all", help="atoms to analyse (default: all)")
+    add(
+        "--superpose",
+        metavar="SELECTION",
+        help="atoms to superpose, also used for the PCA (default: CA and P atoms if they form "
+        "chains, else all but hydrogens)",
+    )
+    add("--hydrogens", action="store_true", help="include torsions that turn hydrogens only")
+    add(
+        "--reference",
+        metavar="FILE",
+        help="structure to compare frames with (default: the PDB that run and sample write beside "
+        "FILE, else the first frame)",
+    )
+    text = "measure the distance of the centres of two selections; may be given again"
+    add("--distance", nargs=2, metavar=("A", "B"), action="append", default=[], help=text)
+    add("--mass-weighted", action="store_true", help="weigh the PCA by mass")
+
+
+def _add_choice_of_frames(add: Callable[..., object]) -> None:
+    add("--start", type=int, metavar="N", help="first frame, from 0 (negative: from the end)")
+    add("--stop", type=int, metavar="N", help="frame before which to stop")
+    add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
+    text = "number of processes; more than 1 is worth it only for gigabytes (default: 1)"
+    add("--workers", type=whole_number(1, most=MOST_PROCESSES), default=1, metavar="N", help=text)
+
+
+def _add_output(add: Callable[..., object]) -> None:
+    text = "resolution of the figures, dots per inch (default: 150)"
+    add("--dpi", type=whole_number(50, most=1200), default=150, metavar="N", help=text)
+    add("--json", action="store_true", help="print the results as one JSON object")
+    add("--quiet", action="store_true", help="print nothing but errors")
+
+
+def _analyse_ensemble(options: argparse.Namespace) -> int:
+    from pliant.report.shards.report import print_report, report_ensemble
+    from pliant.trajectory.shards.frames import folder_of
+
+    usual = vars(_parser().parse_args([options.file]))
+    for name in sorted(set(usual) - {"file", "output", "workers", "dpi", "json", "quiet"}):
+        if getattr(options, name) != usual[name]:
+            option = name.replace("_", "-")
+            raise OptionError(f"--{option}: goes with one file, not with an ensemble")
+    folder = folder_of(Path(options.file))
+    output = Path(options.output or f"{folder.absolute().name}-report")
+    with stages(options.quiet) as on_stage:
+        found = report_ensemble(folder, output, options.workers, options.dpi, on_stage)
+    if options.json:
+        print_json(found)
+    elif not options.quiet:
+        print_report(found)
+    return EXIT_OK
+
+
+def _analyse(options: argparse.Namespace) -> int:
+    if is_ensemble(options.file):
+        return _analyse_ensemble(options)
+    # Imported here, so that --help and errors of usage are immediate.
+    from pliant.report.suite import analyse
+
+    with warnings.catch_warnings(), stages(options.quiet) as on_stage:
+        warnings.simplefilter("ignore")
+        report = analyse(
+            options.file,
+            options.output or f"{Path(options.file).stem}-report",
+            topology=options.topology,
+            select=options.select,
+            superpose=options.superpose,
+            mass_weighted=options.mass_weighted,
+            hydrogens=options.hydrogens,
+            reference=options.reference,
+            distances=[(a, b) for a, b in options.distance],
+            start=options.start,
+            stop=options.stop,
+            step=options.step,
+            workers=options.workers,
+            dpi=options.dpi,
+            on_stage=on_stage,
+        )
+    summary = report.as_json()
+    if options.json:
+        print_json(summary)
+    elif not options.quiet:
+        for text in report.analysis.cautions:
+            note(text)
+        _print_summary(summary)
+    return EXIT_OK
+
+
+def _print_summary(summary: Mapping[str, Any]) -> None:
+    """What was found in eight lines; the rest is in the report and in --json."""
+    from pliant.report.pockets.pocket_texts import pocket_line
+
+    for name, why in summary["skipped"].items():
+        note(f"no {name}: {why}")
+    print(f"verdict         {summary['verdict_text']}")
+    print(f"frames          {summary['frames']}, of {summary['atoms_analysed']} atoms")
+    if "flexibility_mean" in summary:
+        error = 2 * summary["flexibility_error_mean"]
+        size = "; its size is an input" if "amplitude" in summary["verdicts"] else ""
+        mean = f"{summary['flexibility_mean']:.2f} ± {error:.1g} Å (mean RMSF{size})"
+        print(f"flexibility     {mean}")
+    for name in ("domains", "other shapes"):
+        if name in summary["verdicts"]:
+            print(f"{name:<16}{summary['verdicts'][name]['text']}")
+    if "pockets" in summary:
+        print(f"pockets         {pocket_line(summary['pockets'])}")
+    for one in summary.get("distances", ()):
+        ends = f"{one['from']} to {one['to']}"
+        print(f"distance        {one['smallest']:.1f} to {one['largest']:.1f} Å: {ends}")
+    print(f"report          {printable_name(summary['outputs']['report'])}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

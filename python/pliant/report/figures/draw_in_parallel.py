@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""Draws the figures of a report, in a second process beside the first where that is safe."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pliant.report.figures.figure_table import FigureKind, figures_of, picture_path, save_figure
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from pliant.measure.stages.analysis import Analysis
+
+
+class Drawing:
+    """The figures of an analysis being drawn.
+
+    A forked process begins at once, and the caller may do other work meanwhile; finish() draws what
+    is left and returns all. The figures that are still to be drawn stand in a pipe, a byte each,
+    from which both processes take the next one. Not forked where this process has other threads,
+    whose locks the copy would never see released, where there is no second processor, and on other
+    systems than Linux, whose libraries do not all survive a fork.
+    """
+
+    def __init__(self, analysis: Analysis, folder: Path, dpi: int) -> None:
+        self._analysis, self._folder, self._dpi = analysis, folder, dpi
+        self._kinds = figures_of(analysis)
+        self._left, write = os.pipe()
+        os.write(write, bytes(range(len(self._kinds))))
+        os.close(write)
+        self._child = self._forked() if len(self._kinds) > 1 and _may_fork() else None
+
+    def finish(self) -> list[tuple[FigureKind, Path]]:
+        """Draws what is left, waits, and returns [(FigureKind, path)] in the order of the page."""
+        self._draw_all()
+        if not self._child_succeeded():
+            for kind in self._kinds:  # here an error has its own text
+                self._draw(kind)
+        return [(kind, picture_path(kind, self._folder)) for kind in self._kinds]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._child_succeeded()
+        os.close(self._left)
+
+    def _child_succeeded(self) -> bool:
+        """Waits for the other process, if there is one."""
+        child, self._child = self._child, None
+        return child is None or os.waitpid(child, 0)[1] == 0
+
+    def _forked(self) -> int:
+        with warnings.catch_warnings():
+            warnings.simplefilter(
+                "ignore", DeprecationWarning
+            )  # threads of BLAS, which it restarts
+            child = os.fork()
+        if child == 0:
+            self._draw_and_exit()
+        return child
+
+    def _draw_and_exit(self) -> None:
+        status = 1
+        try:
+            self._draw_all()
+            status = 0
+        finally:
+            os._exit(status)
+
+    def _draw_all(self) -> None:
+        while taken := os.read(self._left, 1):
+            self._draw(self._kinds[taken[0]])
+
+    def _draw(self, kind: FigureKind) -> None:
+        save_figure(kind, self._analysis, self._folder, self._dpi)
+
+
+def _may_fork() -> bool:
+    return sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1 and _is_alone()
+
+
+def _is_alone() -> bool:
+    """Whether no other thread may hold a lock; tqdm's monitor only has those of progress bars."""
+    others = (one for one in threading.enumerate() if one is not threading.current_thread())
+    return all(type(thread).__name__ == "TMonitor" for thread in others)

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+"""The command ``pliant study``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import warnings
+from collections.abc import Sequence
+
+from pliant.base import console
+from pliant.jobs.process import molecule_rows
+from pliant.trajectory.freed_memory import give_back_freed_memory
+
+COMMON = ("--output", "--frames", "--smiles", "--select", "--keep", "--no-check")
+DESCRIPTION = """\
+Studies a molecule and answers, on one page: which parts are flexible, what moves together, what
+else it could look like, and what was left out. With END, another structure of the same molecule,
+a path to it is found as well. For a small molecule, conformers are studied.
+
+It does what pliant sample, analyse, representatives, path and check do by default, one after the
+other. To choose options yourself, use those commands."""
+
+EPILOG = """\
+The folder has:
+  report.html            the page, for any browser
+  ensemble.h5md, .pdb    the frames; MDAnalysis opens them, pliant convert writes other formats
+  representatives.pdb    20 frames that represent all, for docking or to look at
+  shapes.pdb             one frame for each other shape of a protein
+  path.h5md              the path to END
+  show.pml, show.cxc     load all of these in PyMOL and ChimeraX
+  and tables (CSV) and figures (PNG)
+
+If OpenMM is installed, it minimises 3 to 5 frames of a protein to test whether they can be used to
+start MD; --no-check leaves this out.
+
+Exit code: 0 done (whatever the answers are), 1 a file cannot be read or written, 2 bad option.
+
+examples:
+  pliant study protein.pdb
+  pliant study open.pdb closed.pdb -o opening
+  pliant study drug.sdf --frames 200
+  pliant study --smiles "CC(=O)Oc1ccccc1C(=O)O" -o aspirin
+"""
+
+
+def make_parser() -> console.Parser:
+    """The options of pliant study."""
+    parser = console.Parser("study", DESCRIPTION, EPILOG, COMMON)
+    add = parser.add_argument
+    add("file", metavar="FILE", nargs="?", help="molecule: PDB, mmCIF, XYZ or SDF")
+    add("end", metavar="END", nargs="?", help="another structure of it, to find a path to")
+    text = "folder for the results (default: FILE's name with -study)"
+    add("-o", "--output", metavar="DIR", help=text)
+    text = "instead of FILE: a small molecule, which RDKit makes three-dimensional"
+    add("--smiles", metavar="TEXT", help=text)
+    text = "frames of the ensemble (default: as pliant sample)"
+    add("--frames", metavar="N", type=console.whole_number(4), help=text)
+    add("--seed", metavar="N", type=console.whole_number(0), default=0, help="seed (default: 0)")
+    add("--no-check", action="store_true", help="do not let OpenMM minimise frames")
+    add("--overwrite", action="store_true", help="replace the results of an earlier study")
+    add("--json", action="store_true", help="print the results as one JSON object")
+    add("--quiet", action="store_true", help="print nothing but errors")
+    console.add_rows(parser, molecule_rows())
+    return parser
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit code."""
+    arguments = make_parser().parse_args(words)
+    give_back_freed_memory()
+    return console.run_command("study", lambda: _study(arguments))
+
+
+def _study(arguments: argparse.Namespace) -> int:
+    from pliant.report.study.answers import LABELS
+    from pliant.report.study.suite import study
+
+    with warnings.catch_warnings(), console.stages(arguments.quiet) as on_stage:
+        found = study(
+            arguments.file,
+            arguments.end,
+            arguments.output,
+            smiles=arguments.smiles,
+            frames=arguments.frames,
+            seed=arguments.seed,
+            check=not arguments.no_check,
+            overwrite=arguments.overwrite,
+            quiet=arguments.quiet or arguments.json,
+            on_stage=on_stage,
+            **console.given(arguments, molecule_rows()),
+        )
+    if arguments.json:
+        console.print_json(found.as_json())
+    elif not arguments.quiet:
+        for text in found.sampled.facts["warnings"]:
+            console.warn(text)
+        for what, answer in found.answers.items():
+            print(f"{LABELS.get(what, what):<14}{console.printable(answer)}")
+    return console.EXIT_OK
+
+
+if __name__ == "__main__":
+    sys.exit(main())

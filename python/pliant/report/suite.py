@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+"""The whole analysis of one trajectory, and the report that holds it."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import MDAnalysis  # noqa: F401  (before pliant.measure, which says that it lacks MDAnalysis itself)
+
+from pliant.base.checked import NOT_ZERO, PAIRS_OF_TEXTS, checked, whole
+from pliant.base.console import MOST_PROCESSES
+from pliant.base.display import Displayed, Facts
+from pliant.base.progress import Stages
+from pliant.base.verdict import Verdict, verdict_of_all
+from pliant.measure.stages.analysis import Analysis, AnalysisOptions
+from pliant.measure.stages.stages import STAGES, analyse_trajectory
+from pliant.report.summary import summary
+from pliant.report.verdicts import verdicts
+from pliant.report.write import check_folder, write_report
+from pliant.trajectory.files import file_of
+from pliant.trajectory.sources import Molecule
+from pliant.trajectory.trajectory import HasFrames
+
+DPI = 150
+
+
+@dataclass
+class AnalysisReport(Displayed):
+    """What `analyse` found."""
+
+    analysis: Analysis  #: the results, as arrays
+    outputs: dict[str, Any] = field(
+        default_factory=dict
+    )  #: paths of the files, if any were written
+
+    #: where frames from memory are, as long as they may be read
+    folder: tempfile.TemporaryDirectory[str] | None = field(default=None, repr=False)
+
+    #: what other commands found of these frames, such as whether MD can be started from them
+    more_verdicts: Mapping[str, Verdict] = field(default_factory=dict)
+
+    @property
+    def verdict(self) -> Verdict:
+        """What to believe of the whole: made from all `verdicts`."""
+        return verdict_of_all(self.verdicts.values())
+
+    @property
+    def verdicts(self) -> dict[str, Verdict]:
+        """The answer to each question: its name in the JSON -> the answer."""
+        return {**verdicts(self.analysis), **self.more_verdicts}
+
+    def facts(self) -> Facts:
+        """The verdict, and the answers that it is made from."""
+        frames = f"{len(self.analysis.frames)}, of {len(self.analysis.atoms)} atoms"
+        made = [(what, one.sentence) for what, one in self.verdicts.items()]
+        files = [("page", str(self.outputs["report"]))] if "report" in self.outputs else []
+        head = [("verdict", self.verdict.sentence), ("file", self.analysis.options.path)]
+        return [*head, ("frames", frames), *made, *files]
+
+    def as_json(self) -> dict[str, Any]:
+        """What it comes down to, as one JSON object."""
+        return summary(self.analysis, self.outputs, self.verdicts)
+
+
+@checked(
+    step=NOT_ZERO, workers=whole(1, MOST_PROCESSES), dpi=whole(50, 1200), distances=PAIRS_OF_TEXTS
+)
+def analyse(
+    path: str | os.PathLike[str] | HasFrames | Molecule,
+    output: str | os.PathLike[str] | None = None,
+    *,
+    topology: str | os.PathLike[str] | None = None,
+    select: str = "all",
+    superpose: str | None = None,
+    mass_weighted: bool = False,
+    hydrogens: bool = False,
+    reference: str | os.PathLike[str] | None = None,
+    distances: Sequence[tuple[str, str]] = (),
+    start: int | None = None,
+    stop: int | None = None,
+    step: int | None = None,
+    workers: int = 1,
+    dpi: int = DPI,
+    on_stage: Callable[[str], None] | None = None,
+) -> AnalysisReport:
+    """Analyses a trajectory; writes figures, tables and a report page into a folder.
+
+    Finds how flexible each residue is, with an error; which parts move together; collective
+    motions; other shapes in an ensemble of sampler ``reach``; contacts kept and lost; whether
+    stereochemistry holds; RMSD, radius of gyration and torsions. Measures every bar of every frame.
+    What cannot be computed from a file is left out; `report.analysis.skipped` says why.
+
+    Parameters
+    ----------
+    path : str or path, SampledEnsemble, RunResult, MolecularPath, Trajectory, Universe, ...
+        H5MD file of ``pliant run``, ``sample`` or ``path``, or any trajectory that MDAnalysis
+        reads; or what has frames.
+    output : str or path, optional
+        Folder for figures (PNG), tables (CSV) and report.html; files of an earlier report are
+        replaced.
+    topology : str or path, optional
+        File with atoms and bonds, where `path` holds none.
+    select : str
+        MDAnalysis selection: which atoms are analysed.
+    superpose : str, optional
+        Atoms to superpose, also used for the PCA. Default: CA and P atoms if they form chains,
+        else all but hydrogens.
+    mass_weighted : bool
+        Weigh the PCA by mass.
+    hydrogens : bool
+        Include torsions that turn hydrogens only.
+    reference : str or path, optional
+        Structure to compare frames with, of the same atoms. Default: the PDB that ``pliant run``
+        and ``sample`` write beside their trajectory, else the first frame.
+    distances : sequence of (str, str)
+        Pairs of MDAnalysis selections whose centres' distance is measured.
+    start, stop, step : int, optional
+        Which frames, as in a slice.
+    workers : int
+        Number of processes.
+    dpi : int
+        Resolution of the figures, dots per inch.
+    on_stage : callable
+        Called with the name of each stage as it begins. Default: a progress bar in notebooks and on
+        terminals.
+
+    Raises
+    ------
+    ImportError
+        MDAnalysis or matplotlib is not installed; the message says how to install it.
+    InputError
+        The file cannot be used; the message says why.
+    OptionError
+        The choice of atoms or frames is wrong or empty.
+    """
+    if output is not None:
+        check_folder(Path(output))
+    path, folder = file_of(path, "analyse")
+    options = AnalysisOptions(
+        os.fspath(path),
+        None if topology is None else os.fspath(topology),
+        select,
+        superpose,
+        mass_weighted,
+        hydrogens,
+        start,
+        stop,
+        step,
+        workers,
+        None if reference is None else os.fspath(reference),
+        tuple((str(a), str(b)) for a, b in distances),
+    )
+    if on_stage is not None:
+        return _analysed(options, output, dpi, on_stage, folder)
+    with Stages("analysing", 2 + len(STAGES)) as stages:
+        return _analysed(options, output, dpi, stages, folder)
+
+
+def _analysed(
+    options: AnalysisOptions,
+    output: str | os.PathLike[str] | None,
+    dpi: int,
+    on_stage: Callable[[str], None],
+    folder: tempfile.TemporaryDirectory[str] | None,
+) -> AnalysisReport:
+    analysis = analyse_trajectory(options, on_stage)
+    if output is None:
+        return AnalysisReport(analysis, folder=folder)
+    on_stage("figures and page")
+    return AnalysisReport(analysis, write_report(analysis, Path(output), dpi), folder)

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Shards of an ensemble, read as one trajectory."""
