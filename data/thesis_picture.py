@@ -5,7 +5,6 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from pliant.report.figures import style
 from pliant.lab.experiment.claims import CLAIMS
 from pliant.lab.experiment.drawings import group_bars
 from pliant.lab.experiment.laboratory import run_experiment
@@ -14,6 +13,7 @@ from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.settled import settle
 from pliant.lab.experiment.statistics import YARDSTICKS, Evidence
 from pliant.lab.experiment.sweep import run_sweep
+from pliant.report.figures import style
 
 SHOWN = ["random", "bfs_cycle", "bfs_reverse", "dfs_cycle", "dfs_reverse"]
 SHORT = {

@@ -11,8 +11,8 @@
 
 namespace pliant::python {
 
-/// Calls `refuse` of pliant.base.refusals, which raises TypeError or OptionError "steps = 2.5: must be
-/// a whole number".
+/// Calls `refuse` of pliant.base.refusals, which raises TypeError or OptionError "steps = 2.5: must
+/// be a whole number".
 [[noreturn]] void refuse_argument(std::string_view name, nb::handle value, const char* type,
                                   nb::object least, nb::object most);
 

@@ -36,6 +36,7 @@ from pliant._core import (
     continue_run,
     continue_sample,
     estimate_b_factors,
+    path,
     prepare,
     read,
     resolve,
@@ -71,15 +72,12 @@ if TYPE_CHECKING:
     from pliant.checks.suite import check
     from pliant.jobs.conformers.results import Conformers
     from pliant.jobs.path.found import MolecularPath
-    from pliant.jobs.path.walk import path
     from pliant.report.compare.comparison_report import ComparisonReport
     from pliant.report.compare.suite import compare
     from pliant.report.representatives import Representatives, representatives
     from pliant.report.study.studied import Study
     from pliant.report.study.suite import study
     from pliant.report.suite import AnalysisReport, analyse
-else:
-    del path  # of _core: the function for people is a late name, below
 
 #: What users call, and what is promised: docs/pages/stability.md.
 __all__ = [
@@ -172,7 +170,6 @@ __getattr__ = late_names(
         "check": "pliant.checks.suite",
         "compare": "pliant.report.compare.suite",
         "convert": "pliant.adapters.convert.write",
-        "path": "pliant.jobs.path.walk",
         "representatives": "pliant.report.representatives",
         "study": "pliant.report.study.suite",
     },

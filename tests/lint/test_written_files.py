@@ -7,7 +7,7 @@ import re
 import pytest
 from sources import CPP, files, numbered_lines, place, refuse
 
-PYTHON_WAY = "python/pliant/base/"
+PYTHON_WAY = "python/pliant/base/new_file.py"
 CPP_WAYS = ("src/pliant/text/output_file.cpp", "src/pliant/base/system/")
 
 WRITES_IN_PYTHON = re.compile(
@@ -23,26 +23,26 @@ WRITES_IN_CPP = re.compile(
 
 #: what else writes, and why: (file, what stands on the line)
 EXCEPTIONS = {
-    ("conformers/journal.py", "os.replace("): "a journal, and records that it commits one by one",
-    ("ensemble/commits.py", ".rename("): "a log of commits",
-    ("ensemble/folder_lock.py", "open("): "a lock, which holds nothing",
-    ("ensemble/manifest.py", "open("): "a log: a line that is cut off does not count",
-    ("ensemble/plan.py", "open("): "waits for the disk, as shards do",
-    ("ensemble/scratch.py", "copyfile("): "a shard that was checked, from another disk",
-    ("ensemble/scratch.py", "os.rename("): "the same",
-    ("ensemble/scratch.py", ".rename("): "the same",
-    ("ensemble/scratch.py", "open("): "a lock, which holds nothing",
-    ("convert/zarr_store.py", ".rename("): "a folder of files, whole before it has its name",
-    ("convert/zarr_store.py", "to_zarr("): "the same",
-    ("convert/write.py", "MDAnalysis.Writer("): "to the path of a NewFile; looks at what was made",
-    ("recover.py", "copyfile("): "a copy that goes again",
-    ("_salvage/superblock.py", "open("): "that copy",
-    ("lab/experiment/folders.py", ".rename("): "a folder of files, whole before it has its name",
+    ("jobs/conformers/journal.py", "os.replace("): "a journal: records are committed one by one",
+    ("shards/commits.py", ".rename("): "a log of commits",
+    ("shards/folder_lock.py", "open("): "a lock, which holds nothing",
+    ("trajectory/shards/manifest.py", "open("): "a log: a line that is cut off does not count",
+    ("trajectory/shards/plan.py", "open("): "waits for the disk, as shards do",
+    ("shards/scratch.py", "copyfile("): "a shard that was checked, from another disk",
+    ("shards/scratch.py", "os.rename("): "the same",
+    ("shards/scratch.py", ".rename("): "the same",
+    ("shards/scratch.py", "open("): "a lock, which holds nothing",
+    ("adapters/convert/zarr_store.py", ".rename("): "a folder of files, complete first",
+    ("adapters/convert/zarr_store.py", "to_zarr("): "the same",
+    ("adapters/convert/write.py", "MDAnalysis.Writer("): "to the path of a NewFile",
+    ("trajectory/recover/recover.py", "copyfile("): "a copy that goes again",
+    ("trajectory/recover/superblock.py", "open("): "that copy",
+    ("lab/experiment/folders.py", ".rename("): "a folder of files, complete first",
     ("lab/bench/scaling_child.py", "open("): "an order to the kernel",
-    ("_openmm/worker.py", "np.save("): "a process that may crash: its file is read, or it failed",
-    ("_openmm/worker.py", "open("): "the same",
-    ("_openmm/child.py", ".write_text("): "an empty file",
-    ("_openmm/child.py", "open("): "what another program says",
+    ("checks/openmm/worker.py", "np.save("): "a process that may crash: its file is checked",
+    ("checks/openmm/worker.py", "open("): "the same",
+    ("checks/openmm/child.py", ".write_text("): "an empty file",
+    ("checks/openmm/child.py", "open("): "what another program says",
 }
 
 

@@ -8,7 +8,6 @@ import ast
 import difflib
 import inspect
 import re
-from operator import attrgetter
 from pathlib import Path
 
 import pytest
@@ -30,23 +29,6 @@ def stub_nodes():
         for node in ast.parse(STUB.read_text()).body
         if isinstance(node, ast.ClassDef | ast.FunctionDef)
     ]
-
-
-def packages():
-    """Those that are called, such as pliant.path: the rest of their __all__ is promised, too."""
-    found = [getattr(pliant, name) for name in pliant.__all__]
-    return [one for one in found if inspect.ismodule(one)]
-
-
-def names_below():
-    """Such as path.MolecularPath."""
-    for package in packages():
-        short = package.__name__.removeprefix("pliant.")
-        yield from (f"{short}.{name}" for name in package.__all__ if name != short)
-
-
-def promised_names():
-    return [*pliant.__all__, *names_below()]
 
 
 def signature(node):
@@ -81,15 +63,13 @@ def lines_of(node):
 
 
 def python_functions():
-    """The functions written in Python; those that are packages, too, by way of these."""
     found = [getattr(pliant, name) for name in pliant.__all__]
-    functions = [getattr(x, x.__name__[7:]) if inspect.ismodule(x) else x for x in found]
-    return [function for function in functions if inspect.isfunction(function)]
+    return [one for one in found if inspect.isfunction(one)]
 
 
 def python_classes():
     """The nodes of classes written in Python, and of what they have from others."""
-    found = [attrgetter(name)(pliant) for name in promised_names()]
+    found = [getattr(pliant, name) for name in pliant.__all__]
     written = {
         base: None
         for one in found
@@ -120,7 +100,7 @@ def promised_stubs(classes):
 def reference_text():
     functions = [ast.parse(inspect.getsource(function)).body[0] for function in python_functions()]
     classes = python_classes()
-    names = ["# Names: " + " ".join(promised_names()), ""]
+    names = ["# Names: " + " ".join(pliant.__all__), ""]
     nodes = [*functions, *classes, *promised_stubs(classes)]
     return "\n".join([TITLE, *names, *(line for node in nodes for line in lines_of(node)), ""])
 
@@ -135,9 +115,9 @@ def test_the_api_is_the_committed_one():
 
 
 def test_everything_public_is_there():
-    assert len(promised_names()) <= MOST_NAMES
-    for name in promised_names():
-        assert attrgetter(name)(pliant) is not None
+    assert len(pliant.__all__) <= MOST_NAMES
+    for name in pliant.__all__:
+        assert getattr(pliant, name) is not None
     assert (Path(pliant.__file__).with_name("py.typed")).exists()
 
 

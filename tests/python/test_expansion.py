@@ -8,6 +8,7 @@ import tracemalloc
 import h5py
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis
 import pytest
 from expanding_files import EXPANDING, put_zeros
 from pliant.trajectory import hdf5 as _hdf5
@@ -15,8 +16,6 @@ from pliant.trajectory.load import open_universe
 from pliant.trajectory.record import read_record
 from pliant.trajectory.recording import read_recording
 from pliant.trajectory.stored import StoredPositions
-
-import pliant
 
 VALUE = "particles/trajectory/position/value"
 

@@ -10,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 
 OPENED = """
-import MDAnalysis
+import MDAnalysis, pliant.mdanalysis
 print(len(MDAnalysis.Universe("out.h5md").trajectory), ensemble.positions.shape)
 """
 

@@ -4,7 +4,7 @@
 Each class takes atoms of an ``MDAnalysis.Universe``, runs in this process or, with
 ``run(backend="multiprocessing", n_workers=4)``, in several, and leaves arrays in ``results``:
 
-    import MDAnalysis, pliant.measure
+    import MDAnalysis, pliant.mdanalysis, pliant.measure
     universe = MDAnalysis.Universe("out.h5md")
     rmsf = pliant.measure.Rmsf(universe.atoms).run().results.rmsf  # (n,) Angstrom
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import shutil
 import subprocess
@@ -123,8 +124,9 @@ def test_the_command_runs(ethanol: Path, tmp_path: Path) -> None:
 
 
 def test_mdanalysis_opens_a_trajectory_alone(ethanol: Path, tmp_path: Path) -> None:
-    """Names, elements and bonds come from the file: the topology parser is registered."""
+    """Names, elements and bonds come from the file, by ``pliant.mdanalysis``."""
     mda = pytest.importorskip("MDAnalysis")
+    importlib.import_module("pliant.mdanalysis")
     pliant.run(ethanol, output=tmp_path / "out.h5md", steps=5)
     for options in ({}, {"topology_format": "H5MD"}):
         with warnings.catch_warnings():
@@ -138,6 +140,7 @@ def test_an_analysis_of_mdanalysis_runs(ethanol: Path, tmp_path: Path) -> None:
     """Residuals of all bars, by our class for MDAnalysis."""
     mda = pytest.importorskip("MDAnalysis")
     pytest.importorskip("scipy")
+    importlib.import_module("pliant.mdanalysis")
     from pliant.measure.residuals import BarResiduals
     from pliant.trajectory.record import read_record
 

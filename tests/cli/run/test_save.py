@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import pliant as package
+from pliant import mdanalysis  # noqa: F401
 
 PEPTIDE = Path(__file__).parents[3] / "data/molecules/peptide_20.pdb"
 POSITIONS = "particles/trajectory/position/value"

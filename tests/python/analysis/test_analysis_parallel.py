@@ -3,6 +3,7 @@
 
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis  # noqa: F401
 import pytest
 from MDAnalysis.analysis.base import AnalysisBase
 from pliant.measure.frame_index import FrameIndex

@@ -2,6 +2,7 @@
 import h5py
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis  # noqa: F401
 import pytest
 from pliant.measure import BarResiduals, bar_residuals
 from pliant.trajectory.record import read_record

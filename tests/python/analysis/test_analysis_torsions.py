@@ -4,6 +4,7 @@
 import MDAnalysis
 import networkx
 import numpy as np
+import pliant.mdanalysis  # noqa: F401
 import pytest
 from MDAnalysisTests.datafiles import DCD, PSF
 from pliant.measure import TorsionDistributions, rotatable_torsions

@@ -12,6 +12,7 @@ from pathlib import Path
 import h5py
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis
 import pytest
 from MDAnalysis.analysis import align, dihedrals, rms
 from MDAnalysis.lib.distances import calc_angles, capped_distance
@@ -24,8 +25,6 @@ from pliant.measure.stages.parts import (
     UnitFlexibility,
 )
 from pliant.report.exports import b_factors
-
-import pliant
 
 pytestmark = pytest.mark.usefixtures("no_drawing")
 

@@ -5,6 +5,7 @@ import json
 
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis  # noqa: F401
 import pytest
 from MDAnalysis.analysis import rms
 from pliant.measure.shapes.medoids import k_medoids, pairwise_rmsd

@@ -7,6 +7,7 @@ import json
 import h5py
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis
 import pytest
 from pliant.measure.domains.rigid_turns import rigid_turns
 from pliant.measure.pockets.pocket_grid import find_pockets
@@ -23,7 +24,6 @@ from pliant.report.shapes.shape_texts import shapes_json
 from pliant.trajectory.frame_store import FrameStore
 from turned_molecule import Molecule, rotated
 
-import pliant
 from pliant import analyse
 
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")

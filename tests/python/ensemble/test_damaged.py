@@ -9,14 +9,13 @@ import re
 import shutil
 
 import MDAnalysis
+import pliant.mdanalysis
 import pytest
 from ensembles import PEPTIDE, call, made, shards_of
 from pliant.trajectory.shards import open_shard
 from pliant.trajectory.shards.frames import EnsembleFrames
 from pliant.trajectory.shards.inspect_shard import check_shard
 from pliant.trajectory.shards.shards_reader import ShardsReader
-
-import pliant
 
 WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
 AGAIN = "the same pliant ensemble command makes it again"

@@ -10,13 +10,12 @@ import warnings
 import h5py
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis
 import pytest
 from ensembles import PEPTIDE, frames_of, shards_of
 from MDAnalysis.analysis.rms import RMSD
 from pliant.trajectory import hdf5 as _hdf5
 from pliant.trajectory.shards.frames import EnsembleFrames
-
-import pliant
 
 
 @pytest.fixture
@@ -105,7 +104,8 @@ def test_copies_and_pickles_go_their_own_way(universe):
 
 def test_the_folder_may_be_moved_and_needs_no_other_file(ensemble, tmp_path):
     moved = shutil.copytree(ensemble, tmp_path / "elsewhere")
-    code = "import pliant, MDAnalysis, sys; print(len(MDAnalysis.Universe(sys.argv[1]).trajectory))"
+    code = "import sys, MDAnalysis, pliant.mdanalysis\n"
+    code += "print(len(MDAnalysis.Universe(sys.argv[1]).trajectory))"
     ended = subprocess.run(
         [sys.executable, "-c", code, moved / "ensemble.pliant"],
         capture_output=True,

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis  # noqa: F401
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
 from MDAnalysis.analysis.align import rotation_matrix

@@ -8,10 +8,10 @@ from pathlib import Path
 import gemmi
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis
 import pytest
 from pliant.adapters.convert.command import main
 
-import pliant
 from pliant import convert
 
 MOLECULE = str(Path(__file__).parents[3] / "data/molecules/alanine_dipeptide.pdb")

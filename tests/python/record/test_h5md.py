@@ -14,10 +14,9 @@ import warnings
 import h5py
 import MDAnalysis
 import numpy as np
+import pliant.mdanalysis
 import pytest
 from MDAnalysis.analysis.rms import RMSF
-
-import pliant
 
 GLYCINES = """\
 ATOM      1  N   GLY A  -1       0.000   0.000   0.000  1.00  0.00           N
@@ -205,15 +204,10 @@ def test_a_damaged_atom_table_is_named(tmp_path, structure):
         MDAnalysis.Universe(path)
 
 
-ORDERS = {
-    "pliant first": "import pliant, sys; assert 'MDAnalysis' not in sys.modules; import MDAnalysis",
-    "MDAnalysis first": "import MDAnalysis, pliant",
-    "a part of MDAnalysis": "import pliant; import MDAnalysis.core.universe; import MDAnalysis",
-}
-
-
-@pytest.mark.parametrize("imports", ORDERS.values(), ids=ORDERS.keys())
-def test_importing_both_registers_the_parser(trajectory, imports):
+@pytest.mark.parametrize(
+    "imports", ["import MDAnalysis, pliant.mdanalysis", "import pliant.mdanalysis, MDAnalysis"]
+)
+def test_importing_pliant_mdanalysis_registers_the_parser(trajectory, imports):
     code = f"{imports}\nimport sys\nprint(MDAnalysis.Universe(sys.argv[1]).atoms.names[1])"
     assert in_fresh_python(code, trajectory) == "CA\n"
 
