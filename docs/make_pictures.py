@@ -15,7 +15,6 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "tools"))
 
 import transcripts  # noqa: E402
-from history_picture import make_history_picture  # noqa: E402
 
 #: what the code of the gallery makes, and its name among the pictures
 NAMES = {
@@ -50,4 +49,3 @@ if __name__ == "__main__":
         make(Path(work))
         for made, name in NAMES.items():
             (HERE / "pictures" / name).write_bytes((Path(work) / made).read_bytes())
-    make_history_picture(HERE / "pictures" / "bench_history.svg")

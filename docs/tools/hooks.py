@@ -7,9 +7,9 @@ become MathML. Links are written as the repository needs them, and rewritten her
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
-import citation
 import formulas
 import headers
 import help_texts
@@ -21,6 +21,8 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
+CITATION = Path(__file__).resolve().parents[2] / "CITATION.cff"
+
 
 def on_startup(command: str, dirty: bool) -> None:
     """Makes the package that the reference is read from, before plugins look for its folder."""
@@ -29,7 +31,8 @@ def on_startup(command: str, dirty: bool) -> None:
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Names the version on every page, at its foot."""
-    config.copyright = f"Pliant {citation.version()} · MIT licence"
+    version = re.search(r"^version: (.+)$", CITATION.read_text(encoding="utf-8"), re.MULTILINE)
+    config.copyright = f"Pliant {version[1]} · MIT licence"
     return config
 
 
@@ -54,7 +57,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 
 def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
     """Leads links to where the site has what they name."""
-    return places.with_links_of_the_site(citation.with_citation(markdown), page.file.src_uri)
+    return places.with_links_of_the_site(markdown, page.file.src_uri)
 
 
 def on_page_content(html: str, page: Page, config: MkDocsConfig, files: Files) -> str:

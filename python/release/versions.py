@@ -13,6 +13,7 @@ VERSIONS = {
     "CMakeLists.txt": r"^(project\(pliant VERSION )([\d.]+)()",
     "CITATION.cff": r"^(version: )([\d.]+)()$",
     "CHANGELOG.md": r"^(## )([\d.]+)( \()",
+    "docs/pages/cite.md": r"^(  version = \{)([\d.]+)(\})",
 }
 #: the same of the day of the release
 DATES = {

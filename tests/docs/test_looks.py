@@ -1,13 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The site in a browser: on a desk and on a phone, from the disk and from a server."""
 
-import functools
-import http.server
 import json
-import threading
 
 import pytest
-import site_versions
 from browser import Page, chromium
 
 pytestmark = [
@@ -94,34 +90,4 @@ def search(browser, words):
 def test_search_finds_on_the_disk(site, browser, words, page):
     look_at(browser, (site / "index.html").as_uri(), 1400)
     assert any(page in address for address in search(browser, words))
-    assert browser.errors == []
-
-
-class Silent(http.server.SimpleHTTPRequestHandler):
-    """Says nothing of what it serves."""
-
-    def log_message(self, *_):
-        pass
-
-
-@pytest.fixture
-def address(tmp_path):
-    """Of a server of a folder."""
-    handler = functools.partial(Silent, directory=tmp_path)
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
-
-
-def test_readers_choose_among_versions(site, browser, address, tmp_path):
-    for version in ("0.9.0", "1.0.0", "1.0.1"):
-        site_versions.place(site, tmp_path, version)
-    look_at(browser, f"{address}/index.html", 1400)
-    browser.wait_for("document.querySelectorAll('.md-version__item').length === 2", PATIENCE)
-    assert browser.evaluate("location.pathname") == "/1.0/index.html"
-    shown = "[...document.querySelectorAll('.md-version__item')].map(one => one.innerText.trim())"
-    assert browser.evaluate(shown.replace("innerText", "textContent")) == ["1.0.1", "0.9.0"]
-    assert any("protein" in found for found in search(browser, "hinge"))
-    assert all(one.startswith((address, *OF_THE_PAGE)) for one in browser.requests)
     assert browser.errors == []

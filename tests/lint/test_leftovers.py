@@ -31,10 +31,13 @@ def test_second():
 
 
 def run_of(folder, made, processes):
+    subprocess.run(["git", "init", "--quiet"], cwd=folder, check=True)
     shutil.copy(SUPPORT, folder)
     (folder / "conftest.py").write_text(CONFTEST)
-    (folder / ".gitignore").write_text("/build*/\n__pycache__/\n.pytest_cache/\n/data/kept/\n")
-    (folder / "data").mkdir()
+    (folder / ".gitignore").write_text("/build*/\n__pycache__/\n.pytest_cache/\n/src/kept/\n")
+    (folder / "src").mkdir()
+    (folder / "src/a.cpp").touch()
+    subprocess.run(["git", "add", "--all"], cwd=folder, check=True)
     (folder / "test_one.py").write_text(TESTS.replace("MADE", repr(made)))
     words = ["-q", "-c", "/dev/null", "--rootdir", folder, "-n", processes, folder]
     return subprocess.run(
@@ -46,15 +49,15 @@ def run_of(folder, made, processes):
     )
 
 
-@pytest.mark.parametrize(("made", "processes"), [("empty-report", 0), ("data/empty", 2)])
+@pytest.mark.parametrize(("made", "processes"), [("empty-report", 0), ("src/empty", 2)])
 def test_what_is_left_behind_fails_the_run(tmp_path, made, processes):
     ended = run_of(tmp_path, made, processes)
     assert ended.returncode == 1, ended.stdout + ended.stderr
-    assert ended.stdout.count(f"left behind by the tests: {made}\n") == 1
+    assert ended.stdout.count(f"left behind by the tests: {made}/\n") == 1
     assert "2 passed" in ended.stdout
 
 
-@pytest.mark.parametrize("made", ["build/report", "data/kept"])
+@pytest.mark.parametrize("made", ["build/report", "src/kept"])
 def test_what_git_ignores_may_be_left(tmp_path, made):
     ended = run_of(tmp_path, made, 0)
     assert ended.returncode == 0, ended.stdout + ended.stderr

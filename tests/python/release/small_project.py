@@ -14,6 +14,7 @@ def small_project(tmp_path):
         ".gitignore": "build/\n",
         "CMakeLists.txt": "project(pliant VERSION 1.2.3 LANGUAGES CXX)\n",
         "CITATION.cff": "version: 1.2.3\ndate-released: 2027-01-02\n",
+        "docs/pages/cite.md": "  version = {1.2.3},\n",
         "CHANGELOG.md": f"# Changelog\n\n## 1.2.3 (2027-01-02)\n{SECTION}",
         "pyproject.toml": '[tool.pliant]\nrepository = ""\nmaintainers = []\n',
     }

@@ -1,29 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""A run of the tests leaves nothing in the checkout. Git shows no empty folders; this does."""
+"""A run of the tests leaves nothing in the checkout: what git sees afterwards was there before."""
 
-import fnmatch
+import subprocess
 
 import pytest
 
-#: what tools keep there, besides what .gitignore names
-KEPT = [".git", ".mypy_cache", ".coverage*"]
 
-
-def entries(root):
-    """What is in a folder and in its folders, but for what git ignores."""
-    ignore = root / ".gitignore"
-    lines = ignore.read_text().split() if ignore.exists() else []
-    patterns = KEPT + [line.strip("/") for line in lines]
-
-    def listed(folder):
-        for path in folder.iterdir():
-            name = path.relative_to(root).as_posix()
-            if not any(fnmatch.fnmatch(one, p) for one in (path.name, name) for p in patterns):
-                yield path
-
-    first = list(listed(root))
-    below = [path for folder in first if folder.is_dir() for path in listed(folder)]
-    return {path.relative_to(root).as_posix() for path in first + below}
+def untracked(root):
+    """Files that git neither tracks nor ignores; none where this is no clone."""
+    command = ["git", "ls-files", "--others", "--exclude-standard", "--directory"]
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
+    return set(done.stdout.splitlines())
 
 
 class Leftovers:
@@ -31,12 +18,12 @@ class Leftovers:
 
     def __init__(self, root):
         self.root = root
-        self.before = entries(root)
+        self.before = untracked(root)
         self.left = []
 
     @pytest.hookimpl(trylast=True)  # when pytest-xdist has ended its workers
     def pytest_sessionfinish(self, session):
-        self.left = sorted(entries(self.root) - self.before)
+        self.left = sorted(untracked(self.root) - self.before)
         if self.left and session.exitstatus in (0, pytest.ExitCode.NO_TESTS_COLLECTED):
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
