@@ -21,6 +21,7 @@ from pliant.shards.clusters import CLUSTERS, Clusters, clusters
 from pliant.shards.over_shards import each_part, parts_of
 from pliant.shards.sums import Half, Sums, Task, mean_of, sums_of
 from pliant.trajectory import hdf5 as _hdf5
+from pliant.trajectory.load import open_universe
 from pliant.trajectory.recorded_contacts import contacts_of
 from pliant.trajectory.shards.frames import EnsembleFrames
 from pliant.trajectory.shards.open_shard import open_shard
@@ -73,11 +74,9 @@ def flexibility(
 
     Raises FileError and InputError if there is no ensemble, a shard is gone, or one walker is all.
     """
-    import MDAnalysis
-
     frames = EnsembleFrames(folder)
     frames.check_all_there()
-    all_atoms = MDAnalysis.Universe(folder / PLAN).atoms
+    all_atoms = open_universe(folder / PLAN).atoms
     units = _units(all_atoms)
     atoms = units.atoms
     first = np.empty((frames.atom_count, 3))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import h5py
 import MDAnalysis
 
-import pliant.trajectory.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
+import pliant.trajectory.shards.reader  # noqa: F401  (makes MDAnalysis read our files)
 from pliant import _core
 from pliant._core import InputError
 from pliant.base.input_files import expect_file
