@@ -15,7 +15,7 @@ import numpy as np
 from pliant.lab.coverage.directions import directions_of
 from pliant.lab.validity.references import read_quietly
 from pliant.measure.shapes.known_pairs import quartiles_of_like, softness
-from pliant.measure.shapes.medoids import rmsd_to
+from pliant.trajectory.superposition import rmsd_to
 from scipy.stats import spearmanr
 
 

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from pliant.measure import PrincipalComponents, pca
 from pliant.measure.flexibility import flexibility
-from pliant.measure.superposition import superpose_all, superpose_frames
 from pliant.trajectory import frame_store
 from pliant.trajectory.frame_store import FrameStore, sum_of, variance_of
 from pliant.trajectory.store_reader import StoreReader
+from pliant.trajectory.superposition import superpose_all, superpose_frames
 
 from pliant import FileError
 

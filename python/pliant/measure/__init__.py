@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from pliant.measure.rmsd import RmsdToStart
     from pliant.measure.rmsf import Rmsf
     from pliant.measure.rotatable import Torsion, rotatable_torsions
-    from pliant.measure.superposition import Superposition
     from pliant.measure.torsions import TorsionDistributions
+    from pliant.trajectory.superposition import Superposition
 
 __all__ = [
     "BarResiduals",
@@ -46,7 +46,7 @@ __getattr__ = late_names(
         "RadiusOfGyration": "pliant.measure.gyration",
         "RmsdToStart": "pliant.measure.rmsd",
         "Rmsf": "pliant.measure.rmsf",
-        "Superposition": "pliant.measure.superposition",
+        "Superposition": "pliant.trajectory.superposition",
         "Torsion": "pliant.measure.rotatable",
         "TorsionDistributions": "pliant.measure.torsions",
         "bar_residuals": "pliant.measure.residuals",

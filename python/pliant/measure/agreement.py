@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant.measure.superposition import superpose_all, superpose_onto
+from pliant.trajectory.superposition import superpose_all, superpose_onto
 
 TEN = 10  #: modes of RMSIP and of cumulative overlaps
 NOTHING = float("nan")

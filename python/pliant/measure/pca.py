@@ -13,8 +13,8 @@ from MDAnalysis.analysis.pca import cosine_content
 from pliant.measure.frames import FrameAnalysis, Merge, joined, weights_of
 from pliant.measure.principal_axes import NOISE, principal_axes, principal_squares
 from pliant.measure.rmsf import Rmsf
-from pliant.measure.superposition import Superposition
 from pliant.trajectory.frame_store import MEMORY_BYTES, FrameStore, sum_of
+from pliant.trajectory.superposition import Superposition
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

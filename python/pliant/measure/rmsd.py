@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 
 from pliant.measure.frames import FrameAnalysis, Merge, joined, reference_positions, weights_of
-from pliant.measure.superposition import Superposition
+from pliant.trajectory.superposition import Superposition
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant.measure.frames import FrameAnalysis, Merge, reference_positions, summed, weights_of
-from pliant.measure.superposition import AVERAGE_TOLERANCE, Superposition
+from pliant.trajectory.superposition import AVERAGE_TOLERANCE, Superposition
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

@@ -20,13 +20,13 @@ from pliant.measure.stages.parts import (
     UnitFlexibility,
     Units,
 )
-from pliant.measure.superposition import superpose_frames
 from pliant.report.figures.style import DOMAIN_COLOURS
 from pliant.report.multi_model import write_chosen, write_models
 from pliant.report.page.scene import units_of_atoms
 from pliant.report.pockets.pocket_structures import chimerax_lines, pymol_lines, write_pocket_frames
 from pliant.trajectory.frame_store import FrameStore
 from pliant.trajectory.kind import ENSEMBLE
+from pliant.trajectory.superposition import superpose_frames
 
 if TYPE_CHECKING:
     from pliant.measure.stages.analysis import Analysis

@@ -12,8 +12,8 @@ import numpy as np
 from pliant._core import InputError
 from pliant.base.new_file import new_text
 from pliant.measure.stages.names import chains_of, numbers_of
-from pliant.measure.superposition import superpose_all
 from pliant.trajectory.frame_store import FrameStore
+from pliant.trajectory.superposition import superpose_all
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

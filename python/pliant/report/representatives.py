@@ -13,7 +13,7 @@ import numpy as np
 from pliant._core import InputError, OptionError
 from pliant.base.checked import checked, whole
 from pliant.base.display import Displayed, Facts
-from pliant.measure.shapes.medoids import k_medoids, pairwise_rmsd
+from pliant.measure.shapes.medoids import k_medoids
 from pliant.measure.shapes.other_shapes import REMARK_OF_SHAPES, shape_groups
 from pliant.measure.stages.analysis import AnalysisOptions
 from pliant.measure.stages.opened import opened
@@ -24,6 +24,7 @@ from pliant.trajectory.kind import ENSEMBLE
 from pliant.trajectory.shards.frames import folder_of
 from pliant.trajectory.shards.plan import PLAN, is_ensemble
 from pliant.trajectory.sources import Molecule
+from pliant.trajectory.superposition import pairwise_rmsd
 from pliant.trajectory.trajectory import HasFrames
 
 if TYPE_CHECKING:

@@ -8,13 +8,14 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant.measure.shapes.medoids import k_medoids, pairwise_rmsd, rmsd_to
+from pliant.measure.shapes.medoids import k_medoids
 from pliant.shards.over_shards import each_part, parts_of
 from pliant.shards.sums import blocks, walkers_of
 from pliant.trajectory.shards.frames import EnsembleFrames
 from pliant.trajectory.shards.inspect_shard import ShardRecord
 from pliant.trajectory.shards.open_shard import counted_files
 from pliant.trajectory.shards.plan import EnsemblePlan
+from pliant.trajectory.superposition import pairwise_rmsd, rmsd_to
 
 CLUSTERS = 10
 #: The frames that stand for all are chosen among so many, taken evenly.

@@ -16,22 +16,10 @@ from pliant.trajectory.drawn_by import is_near
 from pliant.trajectory.shards.inspect_shard import POSITION, ShardRecord
 from pliant.trajectory.shards.open_shard import counted_files, positions_in
 from pliant.trajectory.shards.plan import EnsemblePlan
+from pliant.trajectory.superposition import superpose_onto
 
 _BLOCK_BYTES = 16 << 20  #: of the frames that are read at once
 _HELD = 0  #: of contact states
-
-
-def superposed(frames: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """Frames (F, U, 3), each moved by the rigid motion that brings it nearest to (U, 3).
-
-    Kabsch, Acta Cryst. A 32 (1976) 922, for all frames at once.
-    """
-    centre = reference.mean(axis=0)
-    centred = frames - frames.mean(axis=1, keepdims=True)
-    u, _, vt = np.linalg.svd(np.einsum("fui,uj->fij", centred, reference - centre))
-    u[:, :, -1] *= np.sign(np.linalg.det(u) * np.linalg.det(vt))[:, None]
-    moved: np.ndarray = centred @ (u @ vt) + centre
-    return moved
 
 
 @dataclass
@@ -128,7 +116,7 @@ def mean_of(task: Task) -> tuple[int, np.ndarray]:
     for file in task.files():
         for _, frames in blocks(file, task.atoms, around_start(file, task.plan)):
             count += len(frames)
-            total += superposed(frames, task.reference).sum(axis=0)
+            total += superpose_onto(frames, slice(None), task.reference).sum(axis=0)
     return count, total
 
 
@@ -148,7 +136,7 @@ def _add_shard(sums: Sums, file: h5py.File, task: Task) -> None:
     counts = np.bincount(place)[:, None]
     a, b = np.zeros((len(numbers), len(task.atoms))), np.zeros((len(numbers), len(task.atoms), 3))
     for rows, frames in blocks(file, task.atoms, near):
-        d = superposed(frames, task.reference) - task.reference
+        d = superpose_onto(frames, slice(None), task.reference) - task.reference
         np.add.at(a, place[rows], (d**2).sum(axis=2))
         np.add.at(b, place[rows], d)
         for k, half in enumerate(sums.halves):

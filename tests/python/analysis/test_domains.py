@@ -9,7 +9,7 @@ import pytest
 from pliant.measure.domains import find_domains
 from pliant.measure.domains.find import APART, TOGETHER
 from pliant.measure.domains.splits import Frames, left_over
-from pliant.measure.superposition import superpose_all
+from pliant.trajectory.superposition import superpose_all
 from scipy.spatial.transform import Rotation
 
 import pliant

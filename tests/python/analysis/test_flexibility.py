@@ -12,7 +12,7 @@ from pliant.measure.flexibility import (
     path_blocks,
     statistical_inefficiency,
 )
-from pliant.measure.superposition import superpose_all
+from pliant.trajectory.superposition import superpose_all
 
 
 def noise(frames, sigma, seed=0):

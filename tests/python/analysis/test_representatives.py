@@ -8,9 +8,10 @@ import numpy as np
 import pliant.mdanalysis  # noqa: F401
 import pytest
 from MDAnalysis.analysis import rms
-from pliant.measure.shapes.medoids import k_medoids, pairwise_rmsd
+from pliant.measure.shapes.medoids import k_medoids
 from pliant.report.representatives import representatives
 from pliant.report.representatives_command import main
+from pliant.trajectory.superposition import pairwise_rmsd
 
 
 @pytest.fixture

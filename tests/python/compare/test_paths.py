@@ -11,14 +11,9 @@ pytest.importorskip("MDAnalysis")
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 from expected_warnings import read_without_elements  # noqa: E402
 from MDAnalysis.analysis.rms import rmsd  # noqa: E402
-from pliant.measure.compared.paths import (  # noqa: E402
-    compare_paths,
-    distances_of,
-    frechet,
-    rmsd_table,
-    straight_line,
-)
+from pliant.measure.compared.paths import compare_paths, distances_of, frechet, straight_line  # noqa: E402
 from pliant.report.compare.command import main  # noqa: E402
+from pliant.trajectory.superposition import rmsd_to  # noqa: E402
 from scipy.spatial.distance import cdist, directed_hausdorff  # noqa: E402
 
 import pliant  # noqa: E402
@@ -67,13 +62,13 @@ def test_rmsds_are_those_of_mdanalysis():
     draw = np.random.default_rng(4)
     one, other = 5.0 * draw.normal(size=(3, 9, 3)), 5.0 * draw.normal(size=(4, 9, 3))
     expected = [[rmsd(a, b, center=True, superposition=True) for b in other] for a in one]
-    np.testing.assert_allclose(rmsd_table(one, other), expected, rtol=1e-6)
+    np.testing.assert_allclose(rmsd_to(one, other), expected, rtol=1e-6)
 
 
 def test_the_mirror_image_is_no_superposition():
     frame = np.random.default_rng(5).normal(size=(1, 8, 3))
-    assert rmsd_table(frame, frame)[0, 0] < 1e-6
-    assert rmsd_table(frame, -frame)[0, 0] > 0.3
+    assert rmsd_to(frame, frame)[0, 0] < 1e-6
+    assert rmsd_to(frame, -frame)[0, 0] > 0.3
 
 
 def test_a_line_begins_and_ends_where_it_should():
@@ -81,7 +76,7 @@ def test_a_line_begins_and_ends_where_it_should():
     first, last = draw.normal(size=(6, 3)), draw.normal(size=(6, 3))
     line = straight_line(first, last, 5)
     np.testing.assert_array_equal(line[0], first)
-    assert rmsd_table(line[-1:], last[None])[0, 0] < 1e-6
+    assert rmsd_to(line[-1:], last[None])[0, 0] < 1e-6
 
 
 def test_a_path_beside_a_transition_of_md(opening):

@@ -16,13 +16,14 @@ import pliant.mdanalysis  # noqa: F401
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
 from MDAnalysis.analysis.align import rotation_matrix
-from pliant.measure.shapes.medoids import k_medoids, pairwise_rmsd
+from pliant.measure.shapes.medoids import k_medoids
 from pliant.measure.stages.parts import Units
 from pliant.report.shards.draw import flexibility_figure
 from pliant.shards import over_shards
 from pliant.shards.flexibility import flexibility
-from pliant.shards.sums import Task, sums_of, superposed
+from pliant.shards.sums import Task, sums_of
 from pliant.trajectory.shards.plan import load_plan
+from pliant.trajectory.superposition import pairwise_rmsd, superpose_onto
 
 
 @pytest.fixture(scope="module")
@@ -198,10 +199,12 @@ def test_memory_does_not_grow_with_frames(many):
 def test_mirror_images_are_not_superposed():
     points = np.random.default_rng(2).normal(size=(12, 3))
     mirrored = points * [1, 1, -1]
-    assert superposed(mirrored[None], points)[0] != pytest.approx(points, abs=0.1)
+    assert superpose_onto(mirrored[None], slice(None), points)[0] != pytest.approx(points, abs=0.1)
     turned = points @ np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))[0]
     turned *= np.sign(np.linalg.det(np.linalg.lstsq(points, turned, rcond=None)[0]))
-    assert superposed(turned[None] + 5, points)[0] == pytest.approx(points, abs=1e-9)
+    assert superpose_onto(turned[None] + 5, slice(None), points)[0] == pytest.approx(
+        points, abs=1e-9
+    )
 
 
 def test_the_command_writes_tables_and_a_figure(many, tmp_path):

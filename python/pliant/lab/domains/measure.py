@@ -22,7 +22,7 @@ from pliant.lab.domains.pair_domains import pair_domains
 from pliant.lab.validity.alpha_carbons import trace_of
 from pliant.measure.domains import Domains, find_domains
 from pliant.measure.stages.biology import MOST_DOMAIN_SITES
-from pliant.measure.superposition import superpose_all
+from pliant.trajectory.superposition import superpose_all
 
 
 @dataclass(frozen=True)

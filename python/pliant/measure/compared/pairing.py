@@ -33,6 +33,9 @@ def open_universe(*files: str | os.PathLike[str]) -> Universe:
     """A universe of files that are there. Raises InputError in one line when it cannot be made."""
     import MDAnalysis
 
+    import pliant.trajectory.h5md_parser
+    import pliant.trajectory.shards.reader  # noqa: F401  # both open files of ours
+
     for file in files:
         if not os.path.exists(file):
             raise InputError(f"{os.fspath(file)}: no such file")

@@ -27,6 +27,7 @@ from pliant.measure.compared.reference import read_reference
 from pliant.measure.compared.residues import LEAST_RESIDUES
 from pliant.measure.compared.trace_of_atoms import trace_of_atoms
 from pliant.trajectory.recording import read_recording
+from pliant.trajectory.superposition import rmsd_to, superpose_onto
 
 FRAMES = 500
 
@@ -103,8 +104,8 @@ def compare_paths(
     positions, _ = read_trace(recording, chosen.ix[trace.atoms], frames)
     mine = np.asarray(positions[:, reference.residues], dtype=np.float64)
     other = np.asarray(reference.frames, dtype=np.float64)
-    table = rmsd_table(mine, other)
-    line = rmsd_table(straight_line(other[0], other[-1], len(mine)), other)
+    table = rmsd_to(mine, other)
+    line = rmsd_to(straight_line(other[0], other[-1], len(mine)), other)
     return PathComparison(
         recording.path,
         [os.fspath(theirs)],
@@ -116,20 +117,6 @@ def compare_paths(
         table,
         list(reference.notes),
     )
-
-
-def rmsd_table(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """(F, G) RMSD of frames (F, n, 3) and (G, n, 3), each pair superposed (Kabsch, Acta Cryst. A32
-    (1976) 922), without turning hands over."""
-    a, b = (x - x.mean(axis=1, keepdims=True) for x in (one, other))
-    squares = np.add.outer((a**2).sum(axis=(1, 2)), (b**2).sum(axis=(1, 2)))
-    table = np.empty(squares.shape)
-    for k, frame in enumerate(a):
-        products = frame.T @ b
-        values = np.linalg.svd(products, compute_uv=False)
-        best = values[:, 0] + values[:, 1] + np.sign(np.linalg.det(products)) * values[:, 2]
-        table[k] = np.sqrt(np.maximum(squares[k] - 2.0 * best, 0.0) / a.shape[1])
-    return table
 
 
 def distances_of(table: np.ndarray) -> PathDistances:
@@ -157,7 +144,6 @@ def frechet(table: np.ndarray) -> float:
 
 def straight_line(first: np.ndarray, last: np.ndarray, frames: int) -> np.ndarray:
     """(frames, n, 3) from one structure (n, 3) to the other, superposed on it."""
-    from pliant.measure.superposition import superpose_onto
 
     end = superpose_onto(last[None], slice(None), first)[0]
     line: np.ndarray = first + np.linspace(0.0, 1.0, frames)[:, None, None] * (end - first)

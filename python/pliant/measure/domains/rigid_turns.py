@@ -16,7 +16,7 @@ from pliant.measure.domains.stretches import (
     whole_ends,
     without_short_stretches,
 )
-from pliant.measure.superposition import Superposition, superpose_all
+from pliant.trajectory.superposition import Superposition, superpose_all
 
 #: at most so many pieces are looked for
 MOST_PIECES = 6

@@ -11,7 +11,7 @@ import numpy as np
 from pliant.measure.pockets.pocket_grid import RADII, find_pockets
 from pliant.measure.rotatable import is_hydrogen
 from pliant.measure.stages.parts import ReferenceStructure
-from pliant.measure.superposition import Superposition
+from pliant.trajectory.superposition import Superposition
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-#: pairs of frames that are superposed at a time
-PAIRS_AT_ONCE = 1 << 17
 MOST_ROUNDS = 100
 
 
@@ -19,46 +17,6 @@ class Medoids:
     frames: np.ndarray  #: (k,) their places, those that stand for most frames first
     owner: np.ndarray  #: (F,) which of the k each frame is nearest to
     distance: np.ndarray  #: (F,) how far from it
-
-
-def pairwise_rmsd(positions: np.ndarray) -> np.ndarray:
-    """(F, F) RMSD of all pairs of frames (F, n, 3), each pair superposed by itself.
-
-    n RMSD^2 = |x|^2 + |y|^2 - 2 (s1 + s2 +- s3), with s the singular values of the 3 x 3 matrix
-    x^T y of the centred frames, and - where its determinant is negative (W. Kabsch, Acta Cryst. A
-    32 (1976) 922).
-    """
-    frames, atoms, _ = positions.shape
-    centred = positions - positions.mean(axis=1, keepdims=True)
-    columns = np.ascontiguousarray(centred.transpose(1, 0, 2).reshape(atoms, 3 * frames))
-    squares = np.einsum("fni,fni->f", centred, centred)
-    found = np.zeros((frames, frames))
-    rows = max(1, PAIRS_AT_ONCE // frames)
-    for first in range(0, frames, rows):
-        last = min(first + rows, frames)
-        products = columns[:, 3 * first : 3 * last].T @ columns[:, 3 * first :]
-        matrices = products.reshape(last - first, 3, -1, 3).transpose(0, 2, 1, 3)
-        both = squares[first:last, None] + squares[first:]
-        found[first:last, first:] = _rmsd(matrices, both, atoms)
-    upper = np.triu(found, 1)
-    return np.asarray(upper + upper.T)
-
-
-def rmsd_to(positions: np.ndarray, others: np.ndarray) -> np.ndarray:
-    """(F, k) RMSD of frames (F, n, 3) from others (k, n, 3), each pair superposed by itself."""
-    atoms = positions.shape[1]
-    ours = positions - positions.mean(axis=1, keepdims=True)
-    theirs = others - others.mean(axis=1, keepdims=True)
-    matrices = np.einsum("fni,knj->fkij", ours, theirs, optimize=True)
-    squares = np.einsum("fni,fni->f", ours, ours)[:, None] + np.einsum("kni,kni->k", theirs, theirs)
-    return _rmsd(matrices, squares, atoms)
-
-
-def _rmsd(matrices: np.ndarray, squares: np.ndarray, atoms: int) -> np.ndarray:
-    """(F, k) of the matrices x^T y (F, k, 3, 3) and |x|^2 + |y|^2 (F, k) of centred frames."""
-    values = np.linalg.svd(matrices, compute_uv=False)
-    values[..., 2] *= np.sign(np.linalg.det(matrices))
-    return np.asarray(np.sqrt(np.maximum(squares - 2.0 * values.sum(axis=2), 0.0) / atoms))
 
 
 def k_medoids(distances: np.ndarray, count: int) -> Medoids:

@@ -9,8 +9,8 @@ import numpy as np
 from scipy.cluster.hierarchy import fcluster, linkage
 from scipy.spatial.distance import squareform
 
-from pliant.measure.shapes.medoids import pairwise_rmsd, rmsd_to
 from pliant.trajectory.frame_store import FrameStore
+from pliant.trajectory.superposition import pairwise_rmsd, rmsd_to
 
 #: what is nearer to the start than this is no other shape, Angstrom
 LEAST_RMSD = 3.0

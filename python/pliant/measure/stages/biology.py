@@ -27,8 +27,8 @@ from pliant.measure.stages.parts import (
     Units,
 )
 from pliant.measure.stereochemistry import Stereochemistry
-from pliant.measure.superposition import superpose_frames
 from pliant.trajectory.kind import ENSEMBLE
+from pliant.trajectory.superposition import superpose_frames
 
 if TYPE_CHECKING:
     from pliant.measure.stages.analysis import Analysis

@@ -26,9 +26,9 @@ from pliant.measure.stages.parts import (
     Units,
     UnitsInComponents,
 )
-from pliant.measure.superposition import superpose_onto
 from pliant.measure.torsions import TorsionDistributions
 from pliant.trajectory.kind import ENSEMBLE
+from pliant.trajectory.superposition import superpose_onto
 
 if TYPE_CHECKING:
     from pliant.measure.stages.analysis import Analysis

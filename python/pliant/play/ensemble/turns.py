@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant.measure.superposition import Superposition, superpose_onto
+from pliant.trajectory.superposition import Superposition, superpose_onto
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,6 @@ from pliant.measure.stages.parts import (
     UnitsInComponents,
 )
 from pliant.measure.stages.units import trace_atoms
-from pliant.measure.superposition import Superposition
 from pliant.report.page.cartoon import secondary_structure
 from pliant.report.page.view_limits import (
     MAX_ATOMS,
@@ -36,6 +35,7 @@ from pliant.report.page.view_limits import (
     drawn_atoms,
     facing_the_reader,
 )
+from pliant.trajectory.superposition import Superposition
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

@@ -10,9 +10,9 @@ import numpy as np
 
 from pliant.measure.pockets.pocket_volumes import Pocket, PocketVolumes
 from pliant.measure.stages.parts import ReferenceStructure
-from pliant.measure.superposition import Superposition
 from pliant.report.multi_model import write_models
 from pliant.report.pockets.pocket_texts import frame_of
+from pliant.trajectory.superposition import Superposition
 
 if TYPE_CHECKING:
     from pliant.measure.stages.analysis import Analysis

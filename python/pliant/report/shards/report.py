@@ -16,7 +16,7 @@ from pliant.base.new_file import new_text
 from pliant.measure.flexibility import STILL
 from pliant.report.shards.draw import draw_flexibility
 from pliant.shards.flexibility import EnsembleFlexibility, flexibility
-from pliant.shards.sums import superposed
+from pliant.trajectory.superposition import superpose_onto
 
 #: What the report of one file has, and this one has not.
 LEFT_OUT = (
@@ -124,7 +124,7 @@ def _write_representatives(found: EnsembleFlexibility, folder: Path) -> Path:
     from pliant.report.multi_model import write_models
 
     chosen = found.clusters
-    moved = superposed(chosen.positions, chosen.positions[0])
+    moved = superpose_onto(chosen.positions, slice(None), chosen.positions[0])
     remarks = ["each stands for the frames nearest to it; populations are not claimed"]
     remarks += [f"model {k + 1}: frame {frame}" for k, frame in enumerate(chosen.frames)]
     path = folder / "representatives.pdb"
