@@ -9,7 +9,7 @@ import transcripts
 
 ALL = transcripts.pages()
 #: what is shown and no code: figures of characters, what is printed, rows of a file
-SHOWN = ("", "text")
+SHOWN = ("", "text", "bibtex")
 #: tests/docs/test_compiled.py takes these
 COMPILED = ("cpp", "cmake", "yaml")
 
