@@ -36,7 +36,7 @@ def test_every_page_is_in_the_navigation_once():
         ("api/cpp/index.md", "[a](../../cpp.md)", "[a](../../cpp.md)"),
         ("inside/methods.md", "[a](../sample/README.md)", "[a](sampling.md)"),
         ("inside/methods.md", "[a](../../../LICENSE)", "a"),
-        ("notebooks/race.md", "[a](../pages/ordering.md)", "[a](../ordering.md)"),
+        ("notebooks/race.md", "[a](../pages/python.md)", "[a](../python.md)"),
         ("protein.md", "[a](https://example.org/x.md)", "[a](https://example.org/x.md)"),
         ("protein.md", "[a](no_such_page.md)", "[a](no_such_page.md)"),
     ],
