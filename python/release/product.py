@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import hashlib
-import re
 import shutil
 from pathlib import Path
 
@@ -14,14 +13,7 @@ from project import Project
 
 WHEELS = Path("build") / "wheels"
 SOURCES = Path("build") / "sdist"
-#: systems that a release serves, by what the platform of their wheels begins with and ends in
-SYSTEMS = {
-    "Linux x86_64": r"manylinux_.*_x86_64",
-    "Linux aarch64": r"manylinux_.*_aarch64",
-    "macOS arm64": r"macosx_.*_arm64",
-    "macOS x86_64": r"macosx_.*_x86_64",
-    "Windows x86_64": r"win_amd64",
-}
+TARGETS = "python/wheel/targets.txt"  # the systems that a release serves
 PYTHONS = ("cp310-cp310", "cp311-cp311", "cp312-abi3")
 
 
@@ -37,12 +29,14 @@ def sources(project: Project) -> Path:
 
 def missing_wheels(project: Project) -> list[str]:
     """Which wheel of which system is not made."""
+    lines = project.text(TARGETS).splitlines()
+    platforms = {row[0]: row[2] for line in lines if (row := line.split()) and row[0] != "#"}
     names = [path.name for path in wheels(project)]
     return [
         f"{system}, {python}"
-        for system, platform in SYSTEMS.items()
+        for system, platform in platforms.items()
         for python in PYTHONS
-        if not any(re.search(rf"-{python}-{platform}\.whl$", name) for name in names)
+        if not any(name.endswith(f"-{python}-{platform}.whl") for name in names)
     ]
 
 

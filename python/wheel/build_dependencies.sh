@@ -17,14 +17,25 @@ readonly jobs=${PLIANT_JOBS:-$(nproc)}
 . src/cmake/zig.sh
 # shellcheck source=python/wheel/targets.sh
 . python/wheel/targets.sh
-# shellcheck source=python/wheel/debian.sh
-. python/wheel/debian.sh
+# own_apt ARGUMENT...: an apt-get that reads one list of its own, of the sources of another Debian, and
+# knows of nothing that is installed. It checks what it fetches against Debian's keys.
+own_apt() {
+  local apt=$common/apt
+  mkdir -p "$apt/lists/partial" "$apt/archives/partial"
+  printf 'deb-src [signed-by=%s] http://deb.debian.org/debian %s main\n' \
+    /usr/share/keyrings/debian-archive-keyring.gpg "$suite" >"$apt/sources.list"
+  : >"$apt/status"
+  apt-get -o Dir::Etc::SourceList="$apt/sources.list" -o Dir::Etc::SourceParts=/dev/null \
+    -o Dir::State::Lists="$apt/lists" -o Dir::State::status="$apt/status" \
+    -o Dir::Cache::archives="$apt/archives" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= \
+    -o APT::Sandbox::User=root "$@"
+}
 
 # The upstream archives alone: what Debian changes is for Debian.
 fetch_sources() {
-  begin_apt "$common/apt" deb-src "$suite"
+  own_apt update
   mkdir -p "$common/src"
-  (cd "$common/src" && own_apt "$common/apt" \
+  (cd "$common/src" && own_apt \
     source --download-only --tar-only --only-source zlib bzip2 xz-utils hdf5)
 }
 

@@ -12,7 +12,7 @@ readonly jobs=${PLIANT_JOBS:-$(nproc)}
 version=$("$interpreter" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
 readonly version headers=$folder/python$version
 
-.venv/bin/python -m pip install --quiet 'abi3info==2026.9.25' 'nanobind>=3.1,<3.2'
+.venv/bin/python -m pip install --quiet 'abi3info==2026.9.25' 'nanobind>=3.1,<3.2' wheel
 [ -d "$headers" ] || .venv/bin/python python/wheel/python_headers.py "$interpreter" "$target" "$headers"
 [ ! -f "$headers/libpython.a" ] || library=$headers/libpython.a
 cmake -S . -B "$folder/cmake" -G Ninja -DCMAKE_BUILD_TYPE=Release \

@@ -1,25 +1,23 @@
 # SPDX-License-Identifier: MIT
 """check_wheel.py WHEEL...: whether the extension in each needs only what its system has.
 
-Of macOS and Windows: processor, oldest system, libraries, and each name it takes from Python, which
-must be of the stable ABI where the wheel says so. Of Linux auditwheel looks at that
-(finish_wheels.sh); here the processor alone. The first that fails is told, and the exit code is 1.
+Of macOS and Windows: processor, oldest system, libraries, and that nothing but Python is left to be
+found. Of Linux auditwheel looks at that (finish_wheels.sh), and here the processor alone. abi3audit
+looks at the names that are taken from Python. The first that fails is told, and the exit code is 1.
 """
 
 import re
-import struct
 import sys
 from pathlib import Path
 from zipfile import ZipFile
 
+import lief
+
 sys.path.insert(0, str(Path(__file__).parent))
-import macho
-import pe
-import stable_abi
 from targets import Target, target_of
 
 EXPORTED = {"PyInit__core", "pliant_command"}
-ELF_PROCESSORS = {62: "x86_64", 183: "aarch64"}
+PROCESSORS = {"X86_64": "x86_64", "AMD64": "x86_64", "AARCH64": "aarch64", "ARM64": "arm64"}
 MACOS_LIBRARY = "/usr/lib/libSystem.B.dylib"
 # What every Windows 10 has: the C library (UCRT) by its parts, and these.
 WINDOWS_C = re.compile(r"api-ms-win-crt-[a-z]+-l1-1-0\.dll")
@@ -34,7 +32,7 @@ class UnfitError(Exception):
 def expect(what: str, found: object, expected: object) -> None:
     """Raises UnfitError where they differ."""
     if found != expected:
-        raise UnfitError(f"{what} is {found!r}, expected {expected!r}")
+        raise UnfitError(f"{what}: {found!r}, expected {expected!r}")
 
 
 def expect_none(what: str, names: set[str]) -> None:
@@ -43,70 +41,60 @@ def expect_none(what: str, names: set[str]) -> None:
         raise UnfitError(f"{what}: {', '.join(sorted(names))}")
 
 
-def expect_stable(names: set[str], wheel: Path) -> None:
-    """That a wheel for all later versions of Python asks for the stable ABI alone."""
-    _, _, python, abi, _ = wheel.stem.split("-")
-    if abi != "abi3":
-        return
-    version = f"{python[2]}.{python[3:]}"
-    functions, data = stable_abi.names(version)
-    expect_none(f"not in the stable ABI of Python {version}", names - functions - data)
+def processor(kind: object) -> str:
+    """The word of targets.txt for what lief calls a processor."""
+    word = str(kind).rpartition(".")[2]
+    return PROCESSORS.get(word, word)
 
 
-def check_linux(data: bytes, target: Target, wheel: Path) -> None:
+def check_linux(file: lief.ELF.Binary, target: Target, python: str) -> None:
     """Its processor."""
-    expect("the beginning", data[:5], b"\x7fELF\x02")
-    (machine,) = struct.unpack_from("<H", data, 18)
-    expect("the processor", ELF_PROCESSORS.get(machine, machine), target.processor)
+    expect("the processor", processor(file.header.machine_type), target.processor)
 
 
-def check_macos(data: bytes, target: Target, wheel: Path) -> None:
+def check_macos(file: lief.MachO.Binary, target: Target, python: str) -> None:
     """Load commands and symbols."""
-    file = macho.read(data)
-    expect("the processor", file.processor, target.processor)
-    expect("the oldest system", f"macOS-{file.oldest}", target.oldest)
-    expect("the libraries", file.libraries, [MACOS_LIBRARY])
-    expect("the paths where libraries are looked for", file.search_paths, [])
+    expect("the processor", processor(file.header.cpu_type), target.processor)
+    oldest = file.build_version.minos if file.has_build_version else file.version_min.version
+    expect("the oldest system", f"macOS-{oldest[0]}.{oldest[1]}", target.oldest)
+    itself = lief.MachO.LoadCommand.TYPE.ID_DYLIB
+    libraries = [str(one.name) for one in file.libraries if one.command != itself]
+    expect("the libraries", libraries, [MACOS_LIBRARY])
+    expect("the paths where libraries are looked for", [one.path for one in file.rpaths], [])
     # On arm64 the system runs nothing that is not signed; a signature without a name is enough.
-    expect("signed", file.signed or target.processor != "arm64", True)
-    expect_none("not shown", EXPORTED - file.exported)
-    loose = file.needed.get("", set())
-    python = {name for name in loose if PYTHON_NAME.match(name)}
-    expect_none("of no library", loose - python)
-    expect_stable(python, wheel)
+    expect("signed", file.has_code_signature or target.processor != "arm64", True)
+    expect_none("not shown", EXPORTED - {str(one.name)[1:] for one in file.exported_symbols})
+    # A symbol of no library is looked for in whoever has it.
+    loose = {str(s.name)[1:] for s in file.imported_symbols if s.library_ordinal != 1}
+    expect_none("of no library", {name for name in loose if not PYTHON_NAME.match(name)})
 
 
-def _is_of_windows(library: str) -> bool:
-    return library.lower() in WINDOWS_LIBRARIES or bool(WINDOWS_C.fullmatch(library.lower()))
-
-
-def check_windows(data: bytes, target: Target, wheel: Path) -> None:
+def check_windows(file: lief.PE.Binary, target: Target, python: str) -> None:
     """Tables of imports and exports."""
-    file = pe.read(data)
-    expect("the processor", file.processor, target.processor)
-    expect("imports when called", file.delayed, False)
-    expect_none("not shown", EXPORTED - file.exported)
-    _, _, python, abi, _ = wheel.stem.split("-")
-    own = "python3.dll" if abi == "abi3" else f"python{python.removeprefix('cp')}.dll"
-    expect_none(
-        "libraries that Windows has not",
-        {name for name in file.needed if not _is_of_windows(name)} - {own},
-    )
-    expect_stable(file.needed.get(own, set()), wheel)
+    expect("the processor", processor(file.header.machine), target.processor)
+    expect("imports when called", file.has_delay_imports, False)
+    expect_none("not shown", EXPORTED - {str(one.name) for one in file.exported_functions})
+    own = f"python{python}.dll"
+    needed = {str(library.name) for library in file.imports} - {own}
+    there = {n for n in needed if n.lower() in WINDOWS_LIBRARIES or WINDOWS_C.fullmatch(n.lower())}
+    expect_none("libraries that Windows has not", needed - there)
 
 
 CHECKS = {"linux": check_linux, "macos": check_macos, "windows": check_windows}
+FORMATS = {"linux": lief.ELF.Binary, "macos": lief.MachO.Binary, "windows": lief.PE.Binary}
 
 
 def check(wheel: Path) -> str:
     """Raises UnfitError or ValueError; else a line about it."""
     target = target_of(wheel)
+    _, _, python, abi, _ = wheel.stem.split("-")
     with ZipFile(wheel) as packed:
-        bad = packed.testzip()
-        expect("what is damaged", bad, None)
+        expect("what is damaged", packed.testzip(), None)
         files = [n for n in packed.namelist() if re.fullmatch(r"pliant/_core\.[^/]*(so|pyd)", n)]
         expect("the number of extensions", len(files), 1)
-        CHECKS[target.system](packed.read(files[0]), target, wheel)
+        file = lief.parse(packed.read(files[0]))
+    expect("the format", type(file), FORMATS[target.system])
+    CHECKS[target.system](file, target, "3" if abi == "abi3" else python.removeprefix("cp"))
     return f"{wheel.name}: {files[0]} fits {target.oldest} on {target.processor}"
 
 

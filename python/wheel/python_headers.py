@@ -12,10 +12,9 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any, NamedTuple
 
-sys.path.insert(0, str(Path(__file__).parent))
-import stable_abi
-
+FIRST = (3, 12)  # the first version whose stable ABI is enough for nanobind
 EVERYWHERE = """
 SIZEOF_SHORT 2
 SIZEOF_INT 4
@@ -62,6 +61,13 @@ Py_ENABLE_SHARED 1
 SYSTEMS = {"linux": POSIX, "macos": POSIX, "windows": WINDOWS}
 
 
+class Names(NamedTuple):
+    """What a library shows."""
+
+    functions: set[str]
+    data: set[str]
+
+
 def pyconfig(system: str) -> str:
     """The text of pyconfig.h."""
     lines = (EVERYWHERE + SYSTEMS[system]).split("\n")
@@ -81,9 +87,24 @@ def asked(interpreter: str) -> dict[str, str]:
     return answers
 
 
-def exported(interpreter: dict[str, str]) -> stable_abi.Names:
+def stable() -> Names:
+    """Those that python3.dll has since FIRST or before."""
+    from abi3info import DATAS, FUNCTIONS
+
+    def of(table: dict[Any, Any]) -> set[str]:
+        return {
+            symbol.name
+            for symbol, row in table.items()
+            if (row.added.major, row.added.minor) <= FIRST
+            and (row.ifdef is None or row.ifdef.windows is True)
+        }
+
+    return Names(of(FUNCTIONS), of(DATAS))
+
+
+def exported(interpreter: dict[str, str]) -> Names:
     """Names that CPython's own library, or program, shows: functions and data."""
-    names = stable_abi.Names(set(), set())
+    names = Names(set(), set())
     for file in (interpreter["library"], interpreter["executable"]):
         said = subprocess.run(
             ["nm", "-D", "--defined-only", file], check=False, capture_output=True, text=True
@@ -97,11 +118,11 @@ def exported(interpreter: dict[str, str]) -> stable_abi.Names:
 
 def import_library(interpreter: dict[str, str], folder: Path) -> None:
     """FOLDER/libpython.a, by which the linker knows what is in Python's DLL."""
-    version = interpreter["version"]
-    if stable_abi.has(version):
-        dll, names = "python3.dll", stable_abi.names(version)
+    major, minor = interpreter["version"].split(".")
+    if (int(major), int(minor)) >= FIRST:
+        dll, names = "python3.dll", stable()
     else:
-        dll, names = f"python{version.replace('.', '')}.dll", exported(interpreter)
+        dll, names = f"python{major}{minor}.dll", exported(interpreter)
     definition = folder / "python.def"
     definition.write_text(
         f"LIBRARY {dll}\nEXPORTS\n"

@@ -9,9 +9,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
+from h5md_contents import contents
 
 ROOT = Path(__file__).resolve().parents[2]
 OPTIMIZED = Path(sys.executable).parent / "pliant"
@@ -28,13 +28,7 @@ MOLECULES = ["caffeine", "cyclohexane_chair", "peptide_20"]
 
 def datasets(path: Path) -> dict[str, np.ndarray]:
     """Every dataset of an H5MD file as bytes, by name."""
-    found = {}
-    with h5py.File(path) as file:
-        file.visititems(
-            lambda name, item: (
-                found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
-            )
-        )
+    found = contents(path)
     if STATES in found:  # a sample has none
         found[STATES] = last_state(found[STATES])
     return {name: np.asarray(value).tobytes() for name, value in found.items()}

@@ -4,7 +4,7 @@ import shutil
 import subprocess
 
 import pytest
-from emulated import RUNNERS, Command, own_command, program, targets
+from emulated import RUNNERS, THIS, Command, program, targets
 
 
 @pytest.fixture(scope="session")
@@ -35,7 +35,8 @@ def command(system):
 
 @pytest.fixture(scope="session")
 def native():
-    """That of this machine, from its wheel."""
-    return own_command() or pytest.skip(
-        "build/portable has no wheel of this machine unpacked: ./dev wheel --all does it"
-    )
+    """That of this machine, by the same compiler."""
+    path = program(THIS)
+    if path is None:
+        pytest.skip("build/portable has no command of this machine: ./dev wheel --all builds it")
+    return Command([str(path)], dict(os.environ))

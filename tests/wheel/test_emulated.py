@@ -3,7 +3,8 @@
 with several techniques, and texts. Each writes in a folder of its own, by the same names."""
 
 import pytest
-from emulated import EMULATED, ROOT, stored
+from emulated import EMULATED, ROOT
+from h5md_contents import stored
 
 MOLECULES = ROOT / "data/molecules"
 RECORDED = {

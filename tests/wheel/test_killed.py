@@ -10,8 +10,8 @@ import time
 
 import h5py
 import pytest
-from emulated import EMULATED, ROOT, stored
-from h5md_contents import assert_same_runs
+from emulated import EMULATED, ROOT
+from h5md_contents import assert_same_runs, stored
 
 PEPTIDE = (ROOT / "data/molecules/peptide_20.pdb").read_bytes()
 NAME = "größe 名"

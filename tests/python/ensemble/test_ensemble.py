@@ -5,7 +5,7 @@ import json
 import shutil
 
 import pytest
-from ensembles import PEPTIDE, call, made, same_bits, shards_of
+from ensembles import PEPTIDE, call, made, same_bits, same_files, shards_of
 from pliant.shards import scratch
 from pliant.trajectory.shards.plan import load_plan
 
@@ -21,8 +21,7 @@ def test_shards_have_the_bits_of_one_process(ensemble, tmp_path):
 
 def test_the_same_shards_are_the_same_bytes_wherever_they_are_made(ensemble, tmp_path):
     made(PEPTIDE, "-o", tmp_path / "b", "--walkers", 24, "--shard-size", 4, *RUN, "--workers", 1)
-    for ours, theirs in zip(shards_of(ensemble), shards_of(tmp_path / "b"), strict=True):
-        assert ours.read_bytes() == theirs.read_bytes()
+    assert same_files(ensemble, tmp_path / "b")
 
 
 def test_frames_of_a_sample_are_sharded_too(tmp_path, there):
@@ -87,8 +86,7 @@ def test_what_the_manifest_lost_is_found_by_its_own_check(ensemble, tmp_path, th
     numbers = [json.loads(line)["shard"] for line in (folder / "shards.jsonl").open()]
     assert sorted(set(numbers)) == list(range(6))
     assert not list((folder / "making").iterdir())
-    for ours, theirs in zip(shards_of(folder), shards_of(ensemble), strict=True):
-        assert ours.read_bytes() == theirs.read_bytes()
+    assert same_files(folder, ensemble)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ import time
 import psutil
 import pytest
 from commit_logs import TRIES, steps_in
-from ensembles import COMMAND, PEPTIDE, call, made, shards_of, start
+from ensembles import COMMAND, PEPTIDE, call, made, same_files, shards_of, start
 from pliant.shards.commits import take_log
 from pliant.shards.make_shard import Making, make_shard
 from pliant.shards.time_limit import OutOfTimeError, deadline_of, parse_walltime
@@ -49,11 +49,6 @@ def planned(tmp_path):
 def endless(tmp_path):
     """Likewise; no shard of it is ever whole, so that a signal meets one at work, however late."""
     return plan_of(tmp_path, "--walkers", 8, "--steps", 10**9, "--every", 10**8)
-
-
-def same_bytes(folder, whole):
-    pairs = zip(shards_of(folder), shards_of(whole), strict=True)
-    return all(ours.read_bytes() == theirs.read_bytes() for ours, theirs in pairs)
 
 
 def committed_steps(folder):
@@ -109,7 +104,7 @@ def test_commands_that_are_killed_are_gone_on_with(tmp_path, whole):
         if killed >= 3:
             break
     assert killed >= 3
-    assert same_bytes(folder, whole)
+    assert same_files(folder, whole)
     assert not list((folder / "making").iterdir())
 
 
@@ -136,14 +131,14 @@ def test_one_shard_is_told_to_end(endless, how, code):
         assert err == "pliant ensemble: ended by SIGUSR1: the same command goes on\n"
 
 
-def test_a_shard_that_was_ended_goes_on_to_the_same_bytes(planned, whole):
+def test_a_shard_that_was_ended_goes_on_to_the_same_files(planned, whole):
     """Also where one was whole before it could be told to end."""
     for how in (signal.SIGUSR1, signal.SIGTERM, signal.SIGINT, signal.SIGKILL):
         ended(planned, committed_steps(planned) + 4000, how)
     for shard in (0, 1):
         with only(planned, shard) as job:
             assert job.wait(900) == 0
-    assert same_bytes(planned, whole)
+    assert same_files(planned, whole)
 
 
 def test_the_time_is_over_again_and_again(tmp_path, whole):
@@ -164,7 +159,7 @@ def test_the_time_is_over_again_and_again(tmp_path, whole):
         if done - before < ALL_STEPS / 8:
             seconds *= 2
     assert code == 0, ended.stderr
-    assert same_bytes(folder, whole)
+    assert same_files(folder, whole)
 
 
 @pytest.mark.long
@@ -183,7 +178,7 @@ def test_a_signal_to_the_ensemble_has_its_shards_committed(tmp_path, how):
     assert shards_of(folder) or committed_steps(folder) > 0
     made(PEPTIDE, "-o", folder, *words)
     made(PEPTIDE, "-o", tmp_path / "whole", *words)
-    assert same_bytes(folder, tmp_path / "whole")
+    assert same_files(folder, tmp_path / "whole")
 
 
 def test_a_time_that_is_over_at_once_is_no_failure(planned):

@@ -8,15 +8,10 @@ import subprocess
 import time
 
 import pytest
-from ensembles import PEPTIDE, call, made, shards_of
+from ensembles import PEPTIDE, call, made, same_files
 from forked import HEAVY, ended_code
 
 WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
-
-
-def same_files(folder, other):
-    pairs = list(zip(shards_of(folder), shards_of(other), strict=True))
-    return bool(pairs) and all(a.read_bytes() == b.read_bytes() for a, b in pairs)
 
 
 def test_a_scheduler_that_is_there(ensemble, tmp_path, there):

@@ -8,7 +8,7 @@ import stat
 
 import psutil
 import pytest
-from ensembles import PEPTIDE, call, made, shards_of, start, wait_for_shards
+from ensembles import PEPTIDE, call, made, same_files, shards_of, start, wait_for_shards
 from pliant.shards.queue_jobs import Queue
 
 # Not by importing it: that would change what SIGINT does in all tests that follow.
@@ -65,8 +65,7 @@ def test_jobs_of_a_queue(ensemble, tmp_path, settings):
     env = queue_in(tmp_path)
     made(PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings, env=env, cwd=tmp_path)
     assert len((tmp_path / "jobs").read_text().split()) >= 2
-    shards = zip(shards_of(tmp_path / "many"), shards_of(ensemble), strict=True)
-    assert all(ours.read_bytes() == theirs.read_bytes() for ours, theirs in shards)
+    assert same_files(tmp_path / "many", ensemble)
 
 
 def test_no_more_jobs_than_shards(tmp_path, settings):

@@ -9,7 +9,7 @@ import sys
 
 import h5py
 import pytest
-from ensembles import PEPTIDE, call, made, shards_of
+from ensembles import PEPTIDE, call, made, same_files, shards_of
 from pliant.shards import folder_lock, scratch
 from pliant.shards.folder_lock import alone_in, mount_of
 from pliant.trajectory import hdf5 as _hdf5
@@ -25,8 +25,7 @@ def test_shards_come_from_a_scratch_disk(ensemble, tmp_path):
     env = {**os.environ, "TMPDIR": str(disk)}
     words = (*WORDS, "--workers", 1, "--scratch")
     made(PEPTIDE, "-o", tmp_path / "many", *words, env=env)
-    pairs = zip(shards_of(tmp_path / "many"), shards_of(ensemble), strict=True)
-    assert all(ours.read_bytes() == theirs.read_bytes() for ours, theirs in pairs)
+    assert same_files(tmp_path / "many", ensemble)
     assert not list(disk.glob("*.h5md")) and not list((tmp_path / "many" / "making").iterdir())
 
 

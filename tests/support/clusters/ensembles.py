@@ -59,6 +59,12 @@ def same_bits(folder, whole, **names):
     )
 
 
+def same_files(folder, other):
+    """Whether two folders have the same shards, byte by byte."""
+    pairs = list(zip(shards_of(folder), shards_of(other), strict=True))
+    return bool(pairs) and all(a.read_bytes() == b.read_bytes() for a, b in pairs)
+
+
 def workers_of(client):
     """The processes in which the workers of a command that runs are.
 

@@ -7,9 +7,6 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-import h5py
-import numpy as np
-
 ROOT = Path(__file__).parents[3]
 sys.path.insert(0, str(ROOT / "python/wheel"))
 from targets import targets  # noqa: E402
@@ -55,46 +52,3 @@ def program(target):
     folder = PORTABLE / target / "cmake/apps"
     found = [folder / name for name in ("pliant", "pliant.exe")]
     return next((path for path in found if path.is_file()), None)
-
-
-def python_of(target):
-    """Python of a target with the wheel installed, as emulated_python.sh leaves it; None where it
-    is not there. That of this machine for its own target."""
-    folder = PORTABLE / target
-    there = folder / "debian"
-    if target == THIS:
-        words = [sys.executable]
-    elif found := sorted(there.glob("usr/bin/python3.*[0-9]")):
-        words = [RUNNERS["qemu"][0], "-L", str(there), str(found[0])]
-    else:
-        return None
-    if not (folder / "packages/pliant").is_dir():
-        return None
-    return Command(words, {**os.environ, "PYTHONPATH": str(folder / "packages")})
-
-
-def own_command():
-    """`pliant` of the wheel of this machine, by the same compiler; None where it is not there."""
-    python = python_of(THIS)
-    script = PORTABLE / THIS / "packages/bin/pliant"
-    return python and Command([*python.words, str(script)], python.environment)
-
-
-def stored(path):
-    """Bytes and attributes of every object of a file."""
-    found = {}
-
-    def keep(name, item):
-        if isinstance(item, h5py.Dataset):
-            value = np.asarray(item[()])
-            found[name] = (
-                str(item.dtype),
-                item.shape,
-                value.tobytes() if value.dtype != object else repr(value.tolist()),
-            )
-        for key, value in item.attrs.items():
-            found[f"{name}@{key}"] = repr(np.asarray(value).tolist())
-
-    with h5py.File(path) as file:
-        file.visititems(keep)
-    return found
