@@ -10,7 +10,6 @@ import {fileURLToPath} from 'node:url';
 import {gzipSync} from 'node:zlib';
 import {notices} from './notices.mjs';
 import {toDense} from './page/dense.mjs';
-import {threeSlim} from './three_slim.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, '..', '..');
@@ -34,11 +33,8 @@ async function bundle(file) {
     target: 'es2022',
     legalComments: 'none',
     charset: 'utf8',
-    nodePaths: [join(out, 'node_modules')],
-    plugins: [threeSlim(join(out, 'node_modules', 'three'))],
-    metafile: true,
     external: ['node:*'],
-    define: {'process.env.NODE_ENV': '"production"', PLIANT_VERSION: JSON.stringify(version)},
+    define: {PLIANT_VERSION: JSON.stringify(version)},
     logLevel: 'warning',
   });
   return result.outputFiles[0].text;
@@ -90,7 +86,7 @@ function assemble(parts) {
   const blocks = [
     data('solver-wasm', packedMost(parts.wasm)), data('solver-worker', packed(parts.solver)),
     data('hdf5-worker', packed(parts.hdf5)), data('examples-inside', packed(examples())),
-    data('notices', packed(Buffer.from(notices(join(out, 'node_modules'), root)))),
+    data('notices', packed(Buffer.from(notices(root)))),
   ].join('\n');
   return source('index.html')
     .replace('%POLICY%', () => policy(script, style))

@@ -41,7 +41,7 @@ export class Host {
   /** What is kept with the notebook: a picture, and what was done. */
   async rested() {
     const {view, stage} = this.parts;
-    const canvas = view.renderer.domElement;
+    const canvas = view.renderer.canvas;
     const shown = await new Promise((done) => { view.draw(); canvas.toBlob(done, 'image/png'); });
     if (!shown) return;
     const isSmall = stage.frames.bytes <= MOST_SAVED;

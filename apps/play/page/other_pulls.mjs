@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What others pull with on the run that this page shows, too: an arrow at each atom, and words.
-import {Arrow} from './view/arrow.mjs';
+import {Arrow} from './view/solids.mjs';
+import {rgb} from './view/uniforms.mjs';
 
 const LENGTH = 6;  // Angstrom in units of the picture: of a force its direction alone is drawn
 
@@ -17,7 +18,7 @@ export class OtherPulls {
   show(rows) {
     const wasStill = !this.rows.length;
     this.rows = rows.filter((row) => Math.hypot(...row.slice(1)) > 0);
-    while (this.arrows.length < this.rows.length) this.arrows.push(new Arrow('#7a3f9e'));
+    while (this.arrows.length < this.rows.length) this.arrows.push(new Arrow(rgb('#7a3f9e')));
     if (this.rows.length && wasStill)
       this.hand.onSay(`Someone else pulls on ${this.session.model.nameOf(this.rows[0][0])}`);
     this.stand();
@@ -29,13 +30,12 @@ export class OtherPulls {
       const [joint, ...force] = this.rows[k];
       const from = [...this.session.positions.subarray(3 * joint, 3 * joint + 3)];
       const scale = LENGTH * this.view.unit / Math.hypot(...force);
-      arrow.unit = this.view.unit;
       return arrow.show(from, from.map((x, c) => x + scale * force[c]));
     });
     this.view.stale = true;
   }
 
-  draw(renderer, camera) {
-    for (const arrow of this.arrows) arrow.draw(renderer, camera);
+  draw(view) {
+    for (const arrow of this.arrows) arrow.draw(view);
   }
 }

@@ -210,8 +210,8 @@ export class Stage extends EventTarget {
     view.showTautness(this.colouring === 'contacts');
     const {look} = view.textures;
     const residuals = this.residuals ?? this.last?.broken;
-    jointLook(model, this.colouring, {mobility, residuals}, radius, look.image.data);
-    look.needsUpdate = true;
+    jointLook(model, this.colouring, {mobility, residuals}, radius, look.data);
+    look.changed();
     view.stale = true;
   }
 
@@ -220,10 +220,10 @@ export class Stage extends EventTarget {
     if (!this.model) return;
     const {marks} = this.view.textures;
     for (let joint = 0; joint < this.model.joints; ++joint) {
-      marks.image.data[2 * joint] = this.session.pins.has(joint) ? 255 : 0;
-      marks.image.data[2 * joint + 1] = wave ? Math.round(255 * wave[joint]) : 0;
+      marks.data[2 * joint] = this.session.pins.has(joint) ? 255 : 0;
+      marks.data[2 * joint + 1] = wave ? Math.round(255 * wave[joint]) : 0;
     }
-    marks.needsUpdate = true;
+    marks.changed();
     this.view.stale = true;
   }
 

@@ -80,7 +80,7 @@ test('what was done is said in a live region', async () => {
 
 test('all of the picture by keys: move, nearer, the force in numbers', async () => {
   await page.focus('#canvas');
-  const camera = () => page.evaluate(() => ({far: P.view.orbit.distance, at: P.view.orbit.target.toArray()}));
+  const camera = () => page.evaluate(() => ({far: P.view.orbit.distance, at: [...P.view.orbit.target]}));
   const start = await camera();
   await page.keyboard.press('+');
   const near = await camera();

@@ -92,7 +92,7 @@ async function paint(page, title) {
   const rows = await page.evaluate(async (levels) => {
     const {view, session} = P;
     const {quality, renderer} = view;
-    const gl = renderer.getContext();
+    const gl = renderer.gl;
     view.resize(1280, 720, 1);
     quality.isFixed = true;
     const found = [];

@@ -20,11 +20,11 @@ test('a drag pulls the joint under the pointer, and every bar of every frame is 
   const start = await positions();
   const {release} = await drag(page, joint, 80, -60, {steps: 8});
   assert.equal(await page.evaluate(() => P.hand.held.joint), joint);
-  assert.equal(await page.evaluate(() => P.view.arrow.group.visible), true);
+  assert.equal(await page.evaluate(() => P.view.arrow.isShown), true);
   const strain = await page.evaluate(() => P.stage.frames.at(2).broken.reduce((a, b) => Math.max(a, Math.abs(b)), 0));
   assert.ok(strain > 1e-3, 'the push broke no bar');
   await release();
-  assert.equal(await page.evaluate(() => P.view.arrow.group.visible), false);
+  assert.equal(await page.evaluate(() => P.view.arrow.isShown), false);
   assert.ok(apart(start, await positions(), joint) > 0.05);
   assert.ok(await page.evaluate(() => P.stage.frames.length) >= 9);
   assert.ok(await worst() <= 1e-6);
@@ -36,7 +36,7 @@ test('broken bars are drawn in red', async () => {
     const {view, stage} = P;
     const count = () => {
       view.draw();
-      const gl = view.renderer.getContext();
+      const gl = view.renderer.gl;
       const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
       const pixels = new Uint8Array(4 * w * h);
       gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -123,7 +123,7 @@ test('a force in numbers pushes the joint that is held', async () => {
 
 test('beside the joints a drag turns the picture and moves nothing', async () => {
   const start = await positions();
-  const turn = () => page.evaluate(() => P.view.orbit.turn.toArray());
+  const turn = () => page.evaluate(() => P.view.orbit.axes.flat());
   const before = await turn();
   const box = await page.locator('#canvas').boundingBox();
   await page.mouse.move(box.x + 20, box.y + box.height / 2);
@@ -135,7 +135,7 @@ test('beside the joints a drag turns the picture and moves nothing', async () =>
 });
 
 test('the wheel zooms, Shift and a drag move the picture, Fit brings it back', async () => {
-  const camera = () => page.evaluate(() => ({far: P.view.orbit.distance, at: P.view.orbit.target.toArray()}));
+  const camera = () => page.evaluate(() => ({far: P.view.orbit.distance, at: [...P.view.orbit.target]}));
   await page.click('#fit');
   const before = await camera();
   const box = await page.locator('#canvas').boundingBox();
@@ -163,9 +163,9 @@ test('keys choose a joint, pull it, pin it and turn the picture', async () => {
   assert.ok(apart(start, await positions(), 0) > 1e-3);
   await page.keyboard.press('p');
   assert.equal(await page.textContent('#pins'), '1 joint');
-  const turn = await page.evaluate(() => P.view.orbit.turn.toArray());
+  const turn = await page.evaluate(() => P.view.orbit.axes.flat());
   await page.keyboard.press('ArrowLeft');
-  assert.notDeepEqual(await page.evaluate(() => P.view.orbit.turn.toArray()), turn);
+  assert.notDeepEqual(await page.evaluate(() => P.view.orbit.axes.flat()), turn);
 });
 
 test('a finger pulls a joint, two fingers zoom', async () => {

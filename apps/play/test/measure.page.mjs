@@ -98,7 +98,7 @@ test('selection by click, pinned as a whole, marked in the picture, and none', a
   const joint = await seenJoint(page, 3);
   await click(joint);
   assert.deepEqual(await page.evaluate(() => [...P.select.joints]), [joint]);
-  assert.equal(await page.evaluate((j) => P.view.textures.marks.image.data[2 * j + 1], joint), 255);
+  assert.equal(await page.evaluate((j) => P.view.textures.marks.data[2 * j + 1], joint), 255);
   await page.click('#select-pin');
   assert.deepEqual(await page.evaluate(() => [...P.session.pins]), [joint]);
   await click(joint);

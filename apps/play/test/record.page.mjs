@@ -16,7 +16,7 @@ before(async () => {
 });
 
 const length = () => page.evaluate(() => P.stage.frames.length);
-const drawn = () => page.evaluate(() => [...P.view.textures.positions.image.data.slice(0, 3)]);
+const drawn = () => page.evaluate(() => [...P.view.textures.positions.data.slice(0, 3)]);
 
 test('the slider shows a frame, Live the walker', async () => {
   const end = await drawn();

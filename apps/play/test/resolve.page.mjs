@@ -99,7 +99,7 @@ test('bar by bar: the bar in hand is lit, and the walker ends where a pull would
   await page.mouse.move(from.x + 50, from.y + 30, {steps: 2});
   await page.mouse.up();
   await page.waitForFunction(() => P.resolution.isShowing && P.resolution.at > 3);
-  const lit = await page.evaluate(() => ({bar: P.view.uniforms.litBar.value, ends: P.view.uniforms.lit.value.toArray()}));
+  const lit = await page.evaluate(() => ({bar: P.view.uniforms.litBar.value, ends: P.view.uniforms.lit.value}));
   assert.ok(lit.bar >= 0 && lit.ends[1] >= 0 && lit.ends[2] >= 0, JSON.stringify(lit));
   const push = await page.evaluate(() => P.resolution.film.forces);
   await page.click('#resolution-skip');
@@ -143,7 +143,7 @@ test('several walkers lie over each other', async () => {
   await page.fill('#walkers', '4');
   await page.click('#wander');
   await page.waitForFunction(() => {
-    const {data} = P.view.textures.positions.image;
+    const {data} = P.view.textures.positions;
     const {joints} = P.stage.model;
     return P.view.walkers === 4 && data[4 * joints] !== data[8 * joints];
   });

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Two techniques side by side, in step: the right pane makes every push of the left with another
 // technique. Counts of both, which was whole first, and how far apart they end.
-import {DataTexture, FloatType, RGBAFormat, RedFormat, UnsignedByteType} from 'three';
 import {$, guarded, shortNumber, units} from './dom.mjs';
 import {scaleColour} from '../view/colours.mjs';
+import {Texture} from '../view/gl.mjs';
 
-function like(texture, Numbers, format, type) {
-  const {data, width, height} = texture.image;
-  const made = new DataTexture(Numbers.from(data), width, height, format, type);
-  made.internalFormat = texture.internalFormat;
-  made.needsUpdate = true;
-  return made;
-}
+const like = ({format, width, height, data}) => new Texture(format, width, height, data.slice());
 
 const none = () => ({steps: 0, sweeps: 0, projections: 0, broken: 0});
 
@@ -72,9 +66,9 @@ export class Beside {
     this.isOn = true;
     this.panes(2);
     const {strain, look} = this.view.textures;
-    this.strain = like(strain, Float32Array, RedFormat, FloatType);
-    this.strain.image.data.fill(0);
-    this.look = like(look, Uint8Array, RGBAFormat, UnsignedByteType);
+    this.strain = like(strain);
+    this.strain.data.fill(0);
+    this.look = like(look);
     this.view.second = {strain: this.strain, look: this.look};
   }
 
@@ -112,7 +106,7 @@ export class Beside {
     this.setStrain(film.off);
     const {bar, near, far} = film.lit;
     const {lit} = this.view.uniforms;
-    this.view.second.lit = lit.value.clone().set(lit.value.x, near, far);
+    this.view.second.lit = [lit.value[0], near, far];
     this.view.second.litBar = bar;
     const [own, other] = this.resolution.films;
     const moment = (one, other) => {
@@ -127,8 +121,8 @@ export class Beside {
   }
 
   setStrain(off) {
-    this.strain.image.data.set(off);
-    this.strain.needsUpdate = true;
+    this.strain.data.set(off);
+    this.strain.changed();
     this.view.stale = true;
   }
 
@@ -155,12 +149,12 @@ export class Beside {
 
   /** Joints of the right pane by their distance from those of the left. */
   colour(aparts) {
-    const {data} = this.look.image;
-    data.set(this.view.textures.look.image.data);
+    const {data} = this.look;
+    data.set(this.view.textures.look.data);
     const most = Math.max(this.apart.most, 1e-9);
     if ($('split-colour').checked && this.apart.most > 1e-4)
       aparts.forEach((far, joint) => data.set(scaleColour(far / most), 4 * joint));
-    this.look.needsUpdate = true;
+    this.look.changed();
   }
 
   /** A replay has made its steps on both sides. */

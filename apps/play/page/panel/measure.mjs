@@ -79,7 +79,7 @@ export class Measure {
   }
 
   point(joint) {
-    const {data} = this.view.textures.positions.image;
+    const {data} = this.view.textures.positions;
     return [data[4 * joint], data[4 * joint + 1], data[4 * joint + 2]];
   }
 

@@ -131,7 +131,7 @@ export class Transport {
 
   async savePicture(stem) {
     this.view.draw();
-    const blob = await new Promise((resolve) => this.view.renderer.domElement.toBlob(resolve, 'image/png'));
+    const blob = await new Promise((resolve) => this.view.renderer.canvas.toBlob(resolve, 'image/png'));
     download([blob], `${stem}.png`, 'image/png');
   }
 }

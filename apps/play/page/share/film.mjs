@@ -41,7 +41,7 @@ export async function loopPicture({view, stage}) {
 /** Plays the recording once, at the speed chosen, and records the canvas meanwhile. */
 export async function film({view, stage, transport}) {
   checked(stage);
-  const canvas = view.renderer.domElement;
+  const canvas = view.renderer.canvas;
   const mimeType = globalThis.MediaRecorder && KINDS.find((kind) => MediaRecorder.isTypeSupported(kind));
   if (!mimeType || !canvas.captureStream) throw new Error('This browser records no WebM video; the loop is an animated PNG.');
   const stream = canvas.captureStream(30);

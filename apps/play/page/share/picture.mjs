@@ -20,7 +20,7 @@ export function pixelsOf(view, width, height) {
   const canvas = new OffscreenCanvas(width, height);
   const pen = canvas.getContext('2d', {willReadFrequently: true});
   view.draw();
-  pen.drawImage(view.renderer.domElement, 0, 0, width, height);
+  pen.drawImage(view.renderer.canvas, 0, 0, width, height);
   return pen.getImageData(0, 0, width, height);
 }
 

@@ -1,98 +1,124 @@
 // SPDX-License-Identifier: MIT
 // A camera about a point: turned by an arcball, moved and brought nearer. Angles in radians,
 // distances in Angstrom, places on the screen in CSS pixels.
-import {Matrix4, PerspectiveCamera, Quaternion, Vector3} from 'three';
 import {eigen} from '../eigen.mjs';
+import {cross, dot, length, less, plus, times, turnedAbout, unitary} from './vectors.mjs';
 
-const FIELD = 32;  // degrees, of the shorter edge
+const FIELD = 32 * Math.PI / 180;  // of the shorter edge
 const TURN = Math.PI;  // of a drag across the shorter edge
 
 export class Orbit {
   constructor() {
-    this.camera = new PerspectiveCamera(FIELD, 1, 0.1, 1000);
-    this.target = new Vector3();
-    this.turn = new Quaternion();
+    this.axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];  // to the right, up and towards the eye
+    this.target = [0, 0, 0];
     this.distance = 10;
     this.radius = 1;
-    this.half = new Vector3(1, 1, 1);
-    this.size = {width: 1, height: 1};
+    this.half = [1, 1, 1];
+    this.resize(1, 1);
   }
 
   /** All joints, their longest axis along the longer edge, their shortest towards the eye. */
   frame(positions, unit) {
     const axes = principalAxes(positions);
     const [right, up] = this.size.width >= this.size.height ? axes : [axes[1], axes[0]];
-    const turn = new Matrix4().makeBasis(right, up, new Vector3().crossVectors(right, up));
-    this.turn.setFromRotationMatrix(turn);
+    this.look(right, up);
     this.enclose(positions, unit);
+  }
+
+  /** Which directions are to the right and up; `up` is made to be at a right angle. */
+  look(right, up) {
+    const back = unitary(cross(right, up));
+    this.axes = [unitary(right), cross(back, unitary(right)), back];
   }
 
   /** The middle and the extent along the axes of the screen, with room for a ball of 1.2 units. */
   enclose(positions, unit) {
-    const back = this.turn.clone().invert();
-    const low = new Vector3(Infinity, Infinity, Infinity);
-    const high = low.clone().negate();
-    const point = new Vector3();
-    for (let k = 0; k < positions.length; k += 3) {
-      point.fromArray(positions, k).applyQuaternion(back);
-      low.min(point);
-      high.max(point);
-    }
-    this.half = high.clone().sub(low).multiplyScalar(0.5).addScalar(1.2 * unit);
-    this.target.addVectors(low, high).multiplyScalar(0.5).applyQuaternion(this.turn);
-    this.radius = this.half.length();
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    for (let k = 0; k < positions.length; k += 3)
+      this.axes.forEach(([x, y, z], c) => {
+        const along = x * positions[k] + y * positions[k + 1] + z * positions[k + 2];
+        low[c] = Math.min(low[c], along);
+        high[c] = Math.max(high[c], along);
+      });
+    this.half = times(less(high, low), 0.5).map((x) => x + 1.2 * unit);
+    this.target = this.along(times(plus(low, high), 0.5));
+    this.radius = length(this.half);
     this.distance = this.wholeDistance();
     this.update();
   }
 
+  /** A direction of the screen (right, up, towards the eye) in space. */
+  along([x, y, z]) {
+    const [right, up, back] = this.axes;
+    return plus(plus(times(right, x), times(up, y)), times(back, z));
+  }
+
   /** From where the box about all joints fills the picture; room above and below for the controls. */
   wholeDistance() {
-    const slope = Math.tan(this.camera.fov * Math.PI / 360);
-    const {x, y, z} = this.half;
-    return 1.08 * Math.max(x / (slope * this.camera.aspect), 1.12 * y / slope) + z;
+    const [x, y, z] = this.half;
+    return 1.08 * Math.max(x / (this.slope * this.aspect), 1.12 * y / this.slope) + z;
   }
 
   resize(width, height) {
     this.size = {width, height};
-    const shorter = Math.min(width, height);
-    this.camera.aspect = width / height;
-    this.camera.fov = 2 * Math.atan(Math.tan(FIELD * Math.PI / 360) * height / shorter) * 180 / Math.PI;
+    this.aspect = width / height;
+    this.slope = Math.tan(FIELD / 2) * height / Math.min(width, height);  // half the height by the distance
     this.update();
   }
 
+  /** What shaders are told: columns of matrices. */
   update() {
-    const {camera, distance, radius} = this;
-    camera.quaternion.copy(this.turn);
-    camera.position.set(0, 0, distance).applyQuaternion(this.turn).add(this.target);
-    camera.near = Math.max(distance - 3 * radius, distance * 0.01);
-    camera.far = distance + 6 * radius;
-    camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
+    const {distance, radius, aspect, slope, axes} = this;
+    const near = Math.max(distance - 3 * radius, distance * 0.01);
+    const far = distance + 6 * radius;
+    this.eye = plus(this.target, times(axes[2], distance));
+    const turn = [0, 1, 2].flatMap((c) => [...axes.map((axis) => axis[c]), 0]);
+    this.viewMatrix = [...turn, ...axes.map((axis) => -dot(axis, this.eye)), 1];
+    this.projectionMatrix = [
+      1 / (slope * aspect), 0, 0, 0, 0, 1 / slope, 0, 0,
+      0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0,
+    ];
+  }
+
+  /** The projection of a part of the picture alone. */
+  projectionOf(x, y, width, height) {
+    const {size, projectionMatrix} = this;
+    const [wide, high] = [size.width / width, size.height / height];
+    const [right, up] = [(2 * x + width) / size.width - 1, 1 - (2 * y + height) / size.height];
+    const part = [...projectionMatrix];
+    part[0] *= wide;
+    part[5] *= high;
+    part[8] = wide * right;
+    part[9] = high * up;
+    return part;
   }
 
   rotate(dx, dy) {
     const shorter = Math.min(this.size.width, this.size.height);
-    const length = Math.hypot(dx, dy);
-    if (!length) return;
-    const axis = new Vector3(-dy / length, -dx / length, 0);
-    this.turn.multiply(new Quaternion().setFromAxisAngle(axis, TURN * length / shorter));
-    this.update();
+    const way = Math.hypot(dx, dy);
+    if (!way) return;
+    this.turn(this.along([-dy / way, -dx / way, 0]), TURN * way / shorter);
   }
 
   roll(angle) {
-    this.turn.multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 0, 1), angle));
+    this.turn(this.axes[2], angle);
+  }
+
+  turn(axis, angle) {
+    this.look(...this.axes.slice(0, 2).map((side) => turnedAbout(side, axis, angle)));
     this.update();
   }
 
   pan(dx, dy) {
     const scale = this.pixel();
-    this.target.add(new Vector3(-dx * scale, dy * scale, 0).applyQuaternion(this.turn));
+    this.target = plus(this.target, this.along([-dx * scale, dy * scale, 0]));
     this.update();
   }
 
   /** Angstrom a pixel at the target. */
   pixel() {
-    return 2 * this.distance * Math.tan(this.camera.fov * Math.PI / 360) / this.size.height;
+    return 2 * this.distance * this.slope / this.size.height;
   }
 
   zoom(factor) {
@@ -101,14 +127,21 @@ export class Orbit {
     this.update();
   }
 
+  /** Where a point is seen; depth from -1 (near) to 1. */
   project(point) {
-    const v = new Vector3(...point).project(this.camera);
-    return {x: (v.x + 1) / 2 * this.size.width, y: (1 - v.y) / 2 * this.size.height, depth: v.z};
+    const [x, y, z] = this.axes.map((axis) => dot(axis, less(point, this.eye)));
+    const {size, slope, aspect, projectionMatrix: m} = this;
+    return {
+      x: (1 + x / (-z * slope * aspect)) / 2 * size.width, y: (1 - y / (-z * slope)) / 2 * size.height,
+      depth: (m[10] * z + m[14]) / -z,
+    };
   }
 
   unproject(x, y, depth) {
-    const v = new Vector3(x / this.size.width * 2 - 1, 1 - y / this.size.height * 2, depth);
-    return v.unproject(this.camera).toArray();
+    const {size, slope, aspect, projectionMatrix: m} = this;
+    const z = -m[14] / (depth + m[10]);
+    const [across, up] = [x / size.width * 2 - 1, 1 - y / size.height * 2];
+    return plus(this.eye, this.along([across * -z * slope * aspect, up * -z * slope, z]));
   }
 }
 
@@ -125,5 +158,5 @@ function principalAxes(positions) {
     for (let i = 0; i < 3; ++i)
       for (let j = 0; j < 3; ++j)
         spread[i][j] += (positions[k + i] - mean[i]) * (positions[k + j] - mean[j]);
-  return eigen(spread).slice(0, 2).map(({vector}) => new Vector3(...vector));
+  return eigen(spread).slice(0, 2).map(({vector}) => vector);
 }

@@ -2,12 +2,10 @@
 // A second pass over the finished picture, by its depths: outlines where something lies well in front
 // of what is beside it, shadows in what lies behind, and the surface. That is spheres of larger radius,
 // shaded by the plane through the depths about each pixel: smoothed on the screen, not in space.
-import {
-  DepthTexture, GLSL3, Mesh, PlaneGeometry, RawShaderMaterial, Scene, Vector2, WebGLRenderTarget,
-} from 'three';
+import {Mesh, Target} from './gl.mjs';
 import {shading} from './shaders.mjs';
 
-const vertexShader = /* glsl */`
+const vertex = /* glsl */`
 in vec3 position;
 out vec2 place;
 void main() {
@@ -15,11 +13,11 @@ void main() {
   gl_Position = vec4(position.xy, 0., 1.);
 }`;
 
-const fragmentShader = shading + /* glsl */`
+const fragment = shading + /* glsl */`
 uniform sampler2D picture;
 uniform highp sampler2D depths;
 uniform vec2 pixelSize;    // of one pixel of the screen, in shares of the picture
-uniform float unit, isSurface, hardEdges, slope;  // slope: half height by distance
+uniform float unit, isSurface, slope;  // slope: half height by distance
 in vec2 place;
 float far(vec2 at) {       // distance along the view, Angstrom
   float depth = 2. * texture(depths, at).r - 1.;
@@ -66,7 +64,6 @@ void main() {
   pixel = texture(picture, place);
   bool ground = isGround(place);
   float z = far(place);
-  if (hardEdges > .5 && !ground) pixel.a = 1.;  // no samples to spread a share of a pixel over
   if (isSurface > .5 && !ground) pixel.rgb = surface(pixel.rgb, z);
   if (rich < .5) return;
   vec2 dark = covered(z);
@@ -77,45 +74,39 @@ void main() {
 }`;
 
 export class DepthLook {
-  /** `shared`: the uniforms of the picture; samples: of each pixel. */
-  constructor(shared, samples) {
+  /** `shared`: the uniforms of the picture; `quad`: the whole of it; samples: of each pixel. */
+  constructor(shared, quad, samples) {
     this.uniforms = {
-      ...shared, picture: {value: null}, depths: {value: null}, pixelSize: {value: new Vector2()},
-      isSurface: {value: 0}, hardEdges: {value: Number(!samples)}, slope: {value: 1},
+      ...shared, picture: {value: null}, depths: {value: null}, pixelSize: {value: [0, 0]}, isSurface: {value: 0},
+      slope: {value: 1},
     };
     this.samples = samples;
-    this.scene = new Scene();
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3, uniforms: this.uniforms, vertexShader, fragmentShader, depthTest: false, depthWrite: false,
-    });
-    this.quad = new Mesh(new PlaneGeometry(2, 2), material);
-    this.quad.frustumCulled = false;
-    this.scene.add(this.quad);
+    this.mesh = new Mesh(quad, {vertex, fragment}, this.uniforms, {isOver: true});
   }
 
-  room(width, height) {
+  room(renderer) {
+    const {width, height} = renderer.canvas;
     if (this.target?.width === width && this.target.height === height) return;
-    this.target?.depthTexture.dispose();
-    this.target?.dispose();
-    const depthTexture = new DepthTexture(width, height);
-    this.target = new WebGLRenderTarget(width, height, {samples: this.samples, depthTexture});
-    this.uniforms.picture.value = this.target.texture;
-    this.uniforms.depths.value = depthTexture;
+    renderer.forget(this.target);
+    this.target = new Target(width, height, this.samples);
+    this.uniforms.picture.value = this.target.picture;
+    this.uniforms.depths.value = this.target.depths;
   }
 
-  /** A scene, and what its depths tell. `ratio`: pixels of the picture by CSS pixel. */
-  draw(renderer, scene, camera, {isSurface, ratio}) {
-    const {width, height} = renderer.domElement;
+  /** What `paint` draws, and what its depths tell. `ratio`: pixels of the picture by CSS pixel. */
+  draw(renderer, paint, {isSurface, ratio, slope}) {
+    const {width, height} = renderer.canvas;
     const {uniforms} = this;
-    this.room(width, height);
+    this.room(renderer);
     uniforms.unlit.value = Number(isSurface);
-    renderer.setRenderTarget(this.target);
-    renderer.render(scene, camera);
-    renderer.setRenderTarget(null);
+    renderer.into(this.target);
+    paint();
+    renderer.resolve(this.target);
+    renderer.into(null);
     uniforms.unlit.value = 0;
-    uniforms.pixelSize.value.set(Math.max(1, ratio) / width, Math.max(1, ratio) / height);
+    uniforms.pixelSize.value = [Math.max(1, ratio) / width, Math.max(1, ratio) / height];
     uniforms.isSurface.value = Number(isSurface);
-    uniforms.slope.value = Math.tan(camera.fov * Math.PI / 360);
-    renderer.render(this.scene, camera);
+    uniforms.slope.value = slope;
+    renderer.draw(this.mesh);
   }
 }

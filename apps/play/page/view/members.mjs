@@ -35,7 +35,6 @@ export class Members {
 
   room(textures) {
     for (const [part, count] of [[this.joints, this.model.joints], [this.sticks, textures.stickCount]]) {
-      part.members.value?.dispose();
       part.members.value = numbers(count);
     }
     this.seen = '';
@@ -54,7 +53,7 @@ export class Members {
     if (now === this.seen) return;
     this.seen = now;
     const isShown = this.shown(textures);
-    const ends = textures.bars.image.data;
+    const ends = textures.bars.data;
     const joints = [], sticks = [];
     for (let joint = 0; joint < isShown.length; ++joint) if (isShown[joint]) joints.push(joint);
     for (let k = 0; k < textures.stickCount; ++k)
@@ -64,8 +63,8 @@ export class Members {
   }
 
   put({members, memberCount}, list) {
-    list.forEach((number, k) => { members.value.image.data[4 * k] = number; });
-    members.value.needsUpdate = true;
+    list.forEach((number, k) => { members.value.data[4 * k] = number; });
+    members.value.changed();
     memberCount.value = list.length || NO_ONE;
   }
 
@@ -79,10 +78,10 @@ export class Members {
 
   shown(textures) {
     const isShown = this.isAlways.slice();
-    const {data} = textures.marks.image;
+    const {data} = textures.marks;
     for (let joint = 0; joint < isShown.length; ++joint)
       if (data[2 * joint] || data[2 * joint + 1]) isShown[joint] = 1;
-    if (this.centre >= 0) this.addNear(isShown, textures.positions.image.data);
+    if (this.centre >= 0) this.addNear(isShown, textures.positions.data);
     return isShown;
   }
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // What a patch of the picture shows: each joint, bar and contact is drawn in the colour of its number.
+import {Target} from './gl.mjs';
 
-/** Numbers of joints and bars in a patch of pixels, as colours. */
-export function numbersSeen(view, edge) {
-  const {renderer, patch, uniforms} = view;
-  if (patch.width !== edge) patch.setSize(edge, edge);
+/** Numbers of joints and bars in a patch of pixels, as colours; its left upper corner in CSS pixels. */
+export function numbersSeen(view, x, y, edge) {
+  const {renderer, uniforms, orbit} = view;
+  if (view.patch.width !== edge) {
+    renderer.forget(view.patch);
+    view.patch = new Target(edge, edge);
+  }
   uniforms.picking.value = 1;
   uniforms.firstWalker.value = 0;
   view.count(1);
-  renderer.setRenderTarget(patch);
-  renderer.setClearColor(0, 0);
-  renderer.clear();
-  renderer.render(view.scene, view.orbit.camera);
-  const bytes = new Uint8Array(4 * edge * edge);
-  renderer.readRenderTargetPixels(patch, 0, 0, edge, edge, bytes);
-  renderer.setRenderTarget(null);
-  renderer.setClearColor(view.background, 1);
+  renderer.into(view.patch);
+  view.paintAll(orbit.projectionOf(x, y, edge, edge), [0, 0, 0], 0);
+  const bytes = renderer.bytes();
+  renderer.into(null);
   uniforms.picking.value = 0;
   return bytes;
 }

@@ -71,7 +71,8 @@ export class Quality {
     const {isResting} = this;
     this.isResting = false;
     if (this.waiting || document.hidden || this.isFixed) return;
-    this.waiting = {fence: gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), time, level: this.now, isResting};
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (fence) this.waiting = {fence, time, level: this.now, isResting};  // none where the browser has lost the picture
     gl.flush();
   }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The cartoon of a protein or nucleic acid: what of the model it goes through, once a file is opened.
 // Where it runs, the graphics processor finds anew from the positions of each frame.
-import {
-  BufferAttribute, BufferGeometry, DoubleSide, FrontSide, GLSL3, InstancedBufferGeometry, Mesh, RawShaderMaterial,
-} from 'three';
+import {Mesh} from './gl.mjs';
 import {ribbonFragment, ribbonVertex} from './ribbon_shader.mjs';
 import {numbers} from './textures.mjs';
+import {at, dot, length, less, times} from './vectors.mjs';
 
 export const [COIL, HELIX, STRAND, NUCLEIC] = [0, 1, 2, 3];
 const LETTERS = {H: HELIX, E: STRAND};
@@ -13,17 +12,13 @@ const FARTHEST = {6: 5, 15: 9};  // Angstrom between two CA or P of a chain; wha
 /** Of a strip: eight about it, or two edges of a flat one that costs an eighth. */
 export const [ROUND, FLAT] = [8, 2];
 
-const less = (a, b) => a.map((x, c) => x - b[c]);
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const at = (positions, joint) => [...positions.subarray(3 * joint, 3 * joint + 3)];
-
 /** Chains without gaps: lists of CA or P, of two and more. */
 function runsOf(model, positions) {
   const runs = [[]];
   for (const joint of model.trace) {
     const last = runs.at(-1).at(-1);
     const isFar = last !== undefined && joint >= 0 && (model.elements[last] !== model.elements[joint] ||
-      Math.hypot(...less(at(positions, last), at(positions, joint))) > FARTHEST[model.elements[joint]]);
+      length(less(at(positions, last), at(positions, joint))) > FARTHEST[model.elements[joint]]);
     if (joint < 0 || isFar) runs.push([]);
     if (joint >= 0) runs.at(-1).push(joint);
   }
@@ -54,7 +49,7 @@ function turnsOf(run, guides, positions) {
     if (guides[k] < 0) return 0;
     const way = less(at(positions, guides[k]), at(positions, joint));
     const isTurned = last && dot(way, last) < 0;
-    last = isTurned ? way.map((x) => -x) : way;
+    last = isTurned ? times(way, -1) : way;
     return Number(Boolean(isTurned));
   });
 }
@@ -81,14 +76,14 @@ function piecesOf(model, run, guides, positions) {
 function strips(pieces, segments, sides) {
   const rings = [0, 0.02, ...Array.from({length: segments}, (_, k) => (k + 1) / segments)];
   const faces = sides === FLAT ? 1 : sides;
-  const places = new Float32Array(3 * pieces * rings.length * sides);
+  const position = new Float32Array(3 * pieces * rings.length * sides);
   const index = new Uint32Array(6 * pieces * (rings.length - 1) * faces);
   let place = 0, corner = 0;
   for (let piece = 0; piece < pieces; ++piece)
     rings.forEach((x, ring) => {
       const first = place / 3;
       for (let side = 0; side < sides; ++side) {
-        places.set([x, side, piece], place);
+        position.set([x, side, piece], place);
         place += 3;
         if (ring + 1 === rings.length || side >= faces) continue;
         const [a, b] = [first + side, first + (side + 1) % sides];
@@ -96,10 +91,7 @@ function strips(pieces, segments, sides) {
         corner += 6;
       }
     });
-  const made = new InstancedBufferGeometry();
-  made.setAttribute('position', new BufferAttribute(places, 3));
-  made.setIndex(new BufferAttribute(index, 1));
-  return made;
+  return {position, index};
 }
 
 export class Ribbon {
@@ -108,14 +100,10 @@ export class Ribbon {
     this.uniforms = {
       ...shared, pieces: {value: null}, sides: {value: ROUND}, ribbonScale: {value: 1},
     };
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3, uniforms: this.uniforms, vertexShader: ribbonVertex, fragmentShader: ribbonFragment,
-    });
-    this.mesh = new Mesh(new BufferGeometry(), material);
-    this.mesh.frustumCulled = false;
+    this.mesh = new Mesh(null, {vertex: ribbonVertex, fragment: ribbonFragment}, this.uniforms, {isVisible: false});
     this.count = 0;
     this.segments = 8;
-    this.made = {};  // meshes by detail
+    this.made = {};  // shapes by detail
   }
 
   /** How finely: parts of a piece, and ROUND or FLAT. */
@@ -123,7 +111,7 @@ export class Ribbon {
     if (segments === this.segments && sides === this.uniforms.sides.value) return;
     this.segments = segments;
     this.uniforms.sides.value = sides;
-    this.mesh.material.side = sides === FLAT ? DoubleSide : FrontSide;
+    this.mesh.isTwoSided = sides === FLAT;
     this.make();
   }
 
@@ -131,7 +119,7 @@ export class Ribbon {
     const {segments, uniforms} = this;
     const key = `${segments} ${uniforms.sides.value}`;
     this.made[key] ??= strips(this.count, segments, uniforms.sides.value);
-    this.mesh.geometry = this.made[key];
+    this.mesh.shape = this.made[key];
   }
 
   open(model, positions) {
@@ -141,16 +129,14 @@ export class Ribbon {
     const rows = runs.flatMap((run) =>
       piecesOf(model, run, run.map((joint) => of[model.residue[joint]] ?? -1), positions));
     this.count = rows.length / 12;
-    this.uniforms.pieces.value?.dispose();
     this.uniforms.pieces.value = numbers(rows.length / 4);
-    this.uniforms.pieces.value.image.data.set(rows);
-    for (const mesh of Object.values(this.made)) mesh.dispose();
+    this.uniforms.pieces.value.data.set(rows);
     this.made = {};
     this.make();
   }
 
   show(walkers) {
-    this.mesh.visible = this.count > 0 && walkers > 0;
-    this.mesh.geometry.instanceCount = walkers;
+    this.mesh.isVisible = this.count > 0;
+    this.mesh.instances = walkers;
   }
 }

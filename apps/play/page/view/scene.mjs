@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The picture: balls in one draw call, sticks in another, of any number of walkers.
-import {
-  BoxGeometry, ColorManagement, GLSL3, InstancedBufferGeometry, LinearSRGBColorSpace, Mesh,
-  PlaneGeometry, RawShaderMaterial, Scene, WebGLRenderTarget, WebGLRenderer,
-} from 'three';
-import {Arrow} from './arrow.mjs';
 import {Orbit} from './camera.mjs';
 import {DepthLook} from './depth_look.mjs';
+import {Mesh, Renderer, Target} from './gl.mjs';
 import {Members} from './members.mjs';
 import {nearest, numbersSeen} from './picking.mjs';
 import {Quality, isSoftware} from './quality.mjs';
 import {Ribbon} from './ribbon.mjs';
+import {Arrow} from './solids.mjs';
 import {STYLES} from './styles.mjs';
 import {Textures} from './textures.mjs';
 import {
@@ -18,55 +15,51 @@ import {
 } from './shaders.mjs';
 import {rgb, uniformsOf} from './uniforms.mjs';
 
-ColorManagement.enabled = false;  // the shaders write the colours of the screen
-
 const NO_PART = {members: {value: null}, memberCount: {value: 0}};  // all are drawn
 
 export {STYLES};
 
-function instanced(geometry) {
-  const made = new InstancedBufferGeometry();
-  made.setAttribute('position', geometry.getAttribute('position'));
-  made.setIndex(geometry.getIndex());
-  made.instanceCount = 0;
-  return made;
-}
-
-function layer(shape, shared, vertexShader, fragmentShader, smooth, part = NO_PART) {
-  const uniforms = {...shared, ...part};
-  const material = new RawShaderMaterial({
-    glslVersion: GLSL3, uniforms, vertexShader, fragmentShader, alphaToCoverage: smooth,
-  });
-  const mesh = new Mesh(instanced(shape), material);
-  mesh.frustumCulled = false;
-  return mesh;
-}
+const QUAD = {
+  position: new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), index: new Uint32Array([0, 1, 2, 0, 2, 3]),
+};
+// Corners by the bits of their numbers; faces seen from outside.
+const BOX = {
+  position: new Float32Array(Array.from({length: 8}, (_, k) => [2 * (k & 1) - 1, (k & 2) - 1, (k >> 1 & 2) - 1]).flat()),
+  index: new Uint32Array([
+    [0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5],
+  ].flatMap(([a, b, c, d]) => [a, b, c, a, c, d])),
+};
 
 export class View {
-  constructor(canvas) {
+  /** `options`: of the canvas' context. */
+  constructor(canvas, options = {}) {
     this.isSmooth = !isSoftware();
-    this.renderer = new WebGLRenderer({canvas, antialias: this.isSmooth, powerPreference: 'high-performance'});
-    this.renderer.outputColorSpace = LinearSRGBColorSpace;  // no second conversion
+    this.renderer = new Renderer(canvas, {antialias: this.isSmooth, powerPreference: 'high-performance', ...options});
+    canvas.addEventListener('webglcontextrestored', () => this.restored());
     this.orbit = new Orbit();
     this.uniforms = uniformsOf();
-    this.scene = new Scene();
     this.members = new Members();
     this.ribbon = new Ribbon(this.uniforms);
-    this.balls = layer(new PlaneGeometry(2, 2), this.uniforms, ballVertex, ballFragment, this.isSmooth, this.members.joints);
-    const box = new BoxGeometry(2, 2, 2);
-    this.sticks = layer(box, this.uniforms, stickVertex, stickFragment, false, this.members.sticks);
-    this.trace = layer(box, this.uniforms, traceVertex, stickFragment, false);
+    const mesh = (shape, vertex, fragment, part, look) => new Mesh(shape, {vertex, fragment}, {...this.uniforms, ...part}, look);
+    this.balls = mesh(QUAD, ballVertex, ballFragment, this.members.joints, {isSmooth: this.isSmooth});
+    this.sticks = mesh(BOX, stickVertex, stickFragment, this.members.sticks);
+    this.trace = mesh(BOX, traceVertex, stickFragment, NO_PART);
     this.arrow = new Arrow();
-    this.overlays = [];  // drawn over the picture: {draw(renderer, camera)}
-    this.depthLook = new DepthLook(this.uniforms, this.isSmooth ? 4 : 0);
-    this.scene.add(this.ribbon.mesh, this.balls, this.sticks, this.trace);
-    this.patch = new WebGLRenderTarget(1, 1);
+    this.overlays = [];  // drawn over the picture: {draw(view)}
+    this.depthLook = new DepthLook(this.uniforms, QUAD, this.isSmooth ? 4 : 0);
+    this.patch = new Target(1, 1);
     this.walkers = this.detail = this.ratio = 1;
     this.split = false;
     this.style = 'balls';
     this.showAllBars = false;
     this.showContacts = true;
-    this.quality = new Quality(this.renderer.getContext(), this.isSmooth ? 0 : 3, (level) => this.setLevel(level));
+    this.quality = new Quality(this.renderer.gl, this.isSmooth ? 0 : 3, (level) => this.setLevel(level));
+    this.stale = true;
+  }
+
+  /** The browser had lost what the graphics processor kept. */
+  restored() {
+    this.quality.reset();
     this.stale = true;
   }
 
@@ -89,7 +82,7 @@ export class View {
     this.textures.setPositions(positions);
     this.uniforms.unit.value = this.unit = unitOf(model, positions);
     this.orbit.frame(positions, this.unit);
-    this.arrow.setUnit(this.unit);
+    this.arrow.hide();
     this.setStyle(this.style);
   }
 
@@ -103,13 +96,12 @@ export class View {
 
   /** Room for `walkers` walkers; what joints and bars looked like is forgotten. */
   allocate(walkers) {
-    this.textures?.dispose();
+    for (const texture of Object.values(this.textures?.all ?? {})) this.renderer.forget(texture);
     this.textures = new Textures(this.model, walkers);
     this.walkers = walkers;
     this.second = {};  // values of uniforms that the right of two panes has in place of the left's
     const {textures, uniforms} = this;
-    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls', 'limits'])
-      uniforms[name].value = textures[name];
+    for (const [name, texture] of Object.entries(textures.all)) uniforms[name].value = texture;
     uniforms.joints.value = this.model.joints;
     uniforms.barCount.value = Math.max(1, textures.stickCount);
     uniforms.firstContact.value = textures.firstContact;
@@ -134,7 +126,7 @@ export class View {
     uniforms.ballScale.value = style.ball || style.stick / 1.7;
     uniforms.stickRadius.value = style.stick;
     uniforms.traceRadius.value = style.trace;
-    uniforms.kindRadius.value.set(1, this.showAllBars ? 0.35 : 0, this.showContacts ? 0.5 : 0, 0);
+    uniforms.kindRadius.value = [1, this.showAllBars ? 0.35 : 0, this.showContacts ? 0.5 : 0, 0];
     this.stale = true;
   }
 
@@ -146,15 +138,14 @@ export class View {
 
   setBackground(text) {
     this.background = text;
-    this.uniforms.background.value = rgb(text);
-    this.renderer.setClearColor(text, 1);
+    this.ground = this.uniforms.background.value = rgb(text);
     this.stale = true;
   }
 
   /** Numbers of joints and a bar to light up, or -1. */
   setLit({hover, near, far, bar}) {
     const {lit, litBar} = this.uniforms;
-    lit.value.set(hover ?? lit.value.x, near ?? lit.value.y, far ?? lit.value.z);
+    lit.value = [hover, near, far].map((joint, k) => joint ?? lit.value[k]);
     litBar.value = bar ?? litBar.value;
     this.stale = true;
   }
@@ -168,8 +159,10 @@ export class View {
 
   /** Pixels of the picture: fewer while something moves. */
   scale() {
-    this.renderer.setPixelRatio(this.ratio * this.detail);
-    this.renderer.setSize(this.size.width, this.size.height, false);
+    const {canvas} = this.renderer;
+    const ratio = this.ratio * this.detail;
+    canvas.width = Math.max(1, Math.floor(this.size.width * ratio));
+    canvas.height = Math.max(1, Math.floor(this.size.height * ratio));
   }
 
   /** The camera sees one of two panes, or the whole. */
@@ -182,20 +175,17 @@ export class View {
   count(walkers) {
     const style = STYLES[this.style];
     const {model, textures, balls, sticks, trace, ribbon, members, uniforms} = this;
-    if (style.isPart) members.choose(textures, uniforms.lit.value.x, uniforms.litBar.value);
+    if (style.isPart) members.choose(textures, uniforms.lit.value[0], uniforms.litBar.value);
     else members.all();
     ribbon.show(style.ribbon ? walkers : 0);
-    balls.geometry.instanceCount = this.style === 'trace' ? 0 : members.jointsOf(model.joints) * walkers;
-    sticks.geometry.instanceCount = members.sticksOf(textures.stickCount) * walkers;
-    trace.geometry.instanceCount = style.trace ? 5 * textures.pieceCount * walkers : 0;
-    trace.visible = trace.geometry.instanceCount > 0;
-    balls.visible = balls.geometry.instanceCount > 0;
-    sticks.visible = sticks.geometry.instanceCount > 0;
+    balls.instances = this.style === 'trace' ? 0 : members.jointsOf(model.joints) * walkers;
+    sticks.instances = members.sticksOf(textures.stickCount) * walkers;
+    trace.instances = style.trace ? 5 * textures.pieceCount * walkers : 0;
   }
 
   setFog() {
     const {distance, radius} = this.orbit;
-    this.uniforms.fog.value.set(distance - 0.25 * radius, distance + 1.7 * radius);
+    this.uniforms.fog.value = [distance - 0.25 * radius, distance + 1.7 * radius];
   }
 
   /** A whole picture at once. */
@@ -212,43 +202,48 @@ export class View {
   }
 
   paint() {
-    if (!this.model) return this.renderer.clear();
+    this.renderer.into(null);
+    if (!this.model) return this.renderer.clear(this.ground);
     this.setFog();
     if (this.split) return this.drawSplit();
     this.uniforms.firstWalker.value = 0;
     this.count(this.walkers);
     this.render();
-    for (const overlay of this.overlays) overlay.draw(this.renderer, this.orbit.camera);
+    for (const overlay of this.overlays) overlay.draw(this);
     this.holders?.draw(this);
-    return this.arrow.draw(this.renderer, this.orbit.camera);
+    return this.arrow.draw(this);
   }
 
   /** With outlines and shadows, where there is time for them; a surface is nothing without. */
   render() {
-    const {renderer, scene, uniforms} = this;
-    const {camera} = this.orbit;
+    const {renderer, uniforms, orbit, ratio, detail} = this;
     const isSurface = Boolean(STYLES[this.style].isSurface);
-    if (!isSurface && !uniforms.rich.value) return renderer.render(scene, camera);
-    this.depthLook.draw(renderer, scene, camera, {isSurface, ratio: renderer.getPixelRatio()});
+    if (!isSurface && !uniforms.rich.value) return this.paintAll();
+    this.depthLook.draw(renderer, () => this.paintAll(), {isSurface, ratio: ratio * detail, slope: orbit.slope});
     return undefined;
+  }
+
+  /** Ribbon, balls, sticks and trace on a ground. */
+  paintAll(projection = this.orbit.projectionMatrix, ground = this.ground, opacity = 1) {
+    const {renderer, uniforms, ribbon, balls, sticks, trace} = this;
+    uniforms.viewMatrix.value = this.orbit.viewMatrix;
+    uniforms.projectionMatrix.value = projection;
+    renderer.clear(ground, opacity);
+    for (const mesh of [ribbon.mesh, balls, sticks, trace]) renderer.draw(mesh);
   }
 
   /** Two walkers beside each other under one camera. */
   drawSplit() {
-    const {width, height} = this.size;
-    this.renderer.setScissorTest(true);
+    const {width, height} = this.renderer.canvas;
     for (const pane of [0, 1]) {
-      const box = [pane * width / 2, 0, width / 2, height];
-      this.renderer.setViewport(...box);
-      this.renderer.setScissor(...box);
+      this.renderer.within([Math.floor(pane * width / 2), 0, Math.floor(width / 2), height]);
       this.uniforms.firstWalker.value = pane;
       this.count(1);
       const first = pane ? this.exchange(this.second) : {};
-      this.renderer.render(this.scene, this.orbit.camera);
+      this.paintAll();
       this.exchange(first);
     }
-    this.renderer.setScissorTest(false);
-    this.renderer.setViewport(0, 0, width, height);
+    this.renderer.within(null);
   }
 
   /** Puts these values of uniforms in place; the ones before them. */
@@ -265,13 +260,9 @@ export class View {
    * it counts too, for fingers and small joints. */
   pick(x, y, reach = 0) {
     if (!this.model) return null;
-    const {camera, size} = this.orbit;
     const edge = 2 * Math.round(reach) + 1;
-    const corner = [x % size.width - (edge - 1) / 2, y - (edge - 1) / 2];
-    camera.setViewOffset(size.width, size.height, ...corner, edge, edge);
-    const bytes = numbersSeen(this, edge);
-    camera.clearViewOffset();
-    return nearest(this, bytes, edge);
+    const corner = [x % this.orbit.size.width - (edge - 1) / 2, y - (edge - 1) / 2];
+    return nearest(this, numbersSeen(this, ...corner, edge), edge);
   }
 }
 

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
 // What the shaders read: joints, bars and the trace of one model as textures of WIDTH texels a row.
-import {
-  DataTexture, FloatType, IntType, RGBAFormat, RGBAIntegerFormat, RedFormat, RGFormat,
-  UnsignedByteType,
-} from 'three';
+import {Texture} from './gl.mjs';
 
 export const WIDTH = 1024;
 const rows = (count) => Math.max(1, Math.ceil(count / WIDTH));
 
-function texture(Numbers, count, channels, format, type, internal) {
-  const data = new Numbers(channels * WIDTH * rows(count));
-  const made = new DataTexture(data, WIDTH, rows(count), format, type);
-  made.internalFormat = internal;
-  made.needsUpdate = true;
-  return made;
+function texture(Numbers, channels, format) {
+  return (count) => new Texture(format, WIDTH, rows(count), new Numbers(channels * WIDTH * rows(count)));
 }
 
-const floats = (count) => texture(Float32Array, count, 4, RGBAFormat, FloatType, 'RGBA32F');
-export const numbers = (count) => texture(Int32Array, count, 4, RGBAIntegerFormat, IntType, 'RGBA32I');
+const floats = texture(Float32Array, 4, 'floats');
+const shares = texture(Float32Array, 1, 'float');
+const bytes = texture(Uint8Array, 4, 'bytes');
+const pairs = texture(Uint8Array, 2, 'pair');
+export const numbers = texture(Int32Array, 4, 'ints');
 
 /** Kinds of sticks: bonds, other bars, contacts. */
 export const BOND = 0;
@@ -60,7 +56,7 @@ export function piecesOf(trace) {
 }
 
 function fill(target, lists) {
-  lists.forEach((list, k) => target.image.data.set(list, 4 * k));
+  lists.forEach((list, k) => target.data.set(list, 4 * k));
 }
 
 export class Textures {
@@ -71,35 +67,37 @@ export class Textures {
     this.stickCount = sticks.length;
     this.pieceCount = pieces.length;
     this.positions = floats(model.joints * walkers);
-    this.look = texture(Uint8Array, model.joints, 4, RGBAFormat, UnsignedByteType, 'RGBA8');
-    this.marks = texture(Uint8Array, model.joints, 2, RGFormat, UnsignedByteType, 'RG8');
-    this.strain = texture(Float32Array, sticks.length, 1, RedFormat, FloatType, 'R32F');
+    this.look = bytes(model.joints);
+    this.marks = pairs(model.joints);
+    this.strain = shares(sticks.length);
     this.bars = numbers(sticks.length);
     this.controls = numbers(pieces.length);
     this.firstContact = sticks.length - model.contacts.length / 2;
     this.limits = floats(model.contacts.length / 2);
-    (model.contactLimits ?? []).forEach((length, k) => { this.limits.image.data[4 * Math.floor(k / 3) + k % 3] = length; });
+    (model.contactLimits ?? []).forEach((length, k) => { this.limits.data[4 * Math.floor(k / 3) + k % 3] = length; });
     fill(this.bars, sticks);
     fill(this.controls, pieces);
   }
 
   /** Positions of one walker: 3 numbers a joint, Angstrom. */
   setPositions(positions, walker = 0) {
-    const {data} = this.positions.image;
+    const {data} = this.positions;
     for (let at = 4 * walker * this.model.joints, k = 0; k < positions.length; at += 4, k += 3) {
       data[at] = positions[k];
       data[at + 1] = positions[k + 1];
       data[at + 2] = positions[k + 2];
     }
-    this.positions.needsUpdate = true;
+    this.positions.changed();
   }
 
   setStrain(residuals) {
-    this.strain.image.data.set(residuals);
-    this.strain.needsUpdate = true;
+    this.strain.data.set(residuals);
+    this.strain.changed();
   }
 
-  dispose() {
-    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls', 'limits']) this[name].dispose();
+  /** By the names that they have in shaders. */
+  get all() {
+    const {positions, look, marks, strain, bars, controls, limits} = this;
+    return {positions, look, marks, strain, bars, controls, limits};
   }
 }

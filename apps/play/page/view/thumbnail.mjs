@@ -9,7 +9,7 @@ export function drawThumbnail(view, canvas, positions, shown) {
   const {orbit} = view;
   const before = {
     size: view.size, distance: orbit.distance, radius: orbit.radius,
-    target: orbit.target.clone(), half: orbit.half.clone(),
+    target: orbit.target, half: orbit.half,
   };
   const {overlays} = view;
   view.overlays = [];
@@ -19,7 +19,7 @@ export function drawThumbnail(view, canvas, positions, shown) {
   orbit.zoom(NEARER);
   view.draw();
   Object.assign(canvas, SIZE);
-  canvas.getContext('2d').drawImage(view.renderer.domElement, 0, 0, SIZE.width, SIZE.height);
+  canvas.getContext('2d').drawImage(view.renderer.canvas, 0, 0, SIZE.width, SIZE.height);
   view.overlays = overlays;
   Object.assign(orbit, {distance: before.distance, radius: before.radius, target: before.target, half: before.half});
   view.setPositions(shown);

@@ -103,9 +103,9 @@ export const ACTS = {
     await page.waitForFunction((count) => P.stage.history.length === count + 1, {}, before);
     await pressed(page, 'z');
     await page.waitForFunction((count) => P.stage.history.length === count, {}, before);
-    const turn = await page.evaluate(() => P.view.orbit.turn.toArray());
+    const turn = await page.evaluate(() => P.view.orbit.axes.flat());
     await pressed(page, 'ArrowLeft');
-    assert.notDeepEqual(await page.evaluate(() => P.view.orbit.turn.toArray()), turn);
+    assert.notDeepEqual(await page.evaluate(() => P.view.orbit.axes.flat()), turn);
     const pins = await page.evaluate(() => P.session.pins.size);
     await pressed(page, 'p');
     assert.notEqual(await page.evaluate(() => P.session.pins.size), pins);
