@@ -21,7 +21,7 @@ import sys
 import zipfile
 
 names = zipfile.ZipFile(sys.argv[1]).namelist()
-for wanted in ("pliant/play/pliant.html", "pliant/static/3Dmol-min.js"):
+for wanted in ("pliant/play/pliant.html", "pliant/static/view/scene.mjs"):
     if wanted not in names:
         sys.exit(f"{sys.argv[1]}: has no {wanted}")
 print(f"{sys.argv[1]}: {len(names)} files, with page and viewer")

@@ -37,8 +37,8 @@ endfunction()
 # pliant_write_notices(OUT NAME...): the notices of these rows; an unknown name is an error.
 function(pliant_write_notices out)
   set(text "Pliant is under the MIT licence (file LICENSE). It is built with the following, which may be
-part of its binaries or shared libraries beside them. A page of pliant play holds the notices of what is
-in it; 3Dmol.js has its licence beside it (3Dmol-LICENSE.txt).\n")
+part of its binaries or shared libraries beside them. A page of pliant play holds the notices of
+what is in it.\n")
   foreach(name IN LISTS ARGN)
     set(rows ${pliant_third_party})
     list(FILTER rows INCLUDE REGEX "^${name}\\|")

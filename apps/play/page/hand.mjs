@@ -1,71 +1,41 @@
 // SPDX-License-Identifier: MIT
 // The hand: what mouse, finger and keys do on the picture. A joint that is held is drawn towards the
 // pointer by a force; the worker makes one step of it after the other, as fast as frames are shown.
+import {Turner} from './view/turner.mjs';
+import {length, less, plus, pointOf, times} from './view/vectors.mjs';
 
 const STRENGTH = {weak: 0.1, strong: 0.8};  // share of the way to the pointer that a step takes
 const FARTHEST = {weak: 0.1, strong: 0.6};  // Angstrom a step, in units of a usual bar / 1.5
 const REACH = {mouse: 5, pen: 8, touch: 18};  // CSS pixels about the pointer in which a joint is met
-const CLICK = 4;  // CSS pixels; less is no drag
 const PER_FORCE = 100;  // Angstrom/ps^2 of 1 kJ/(mol Angstrom) on 1 u
 
-const less = (a, b) => a.map((x, c) => x - b[c]);
-const length = (v) => Math.hypot(...v);
-
-export class Hand {
+export class Hand extends Turner {
   constructor(canvas, view, session) {
-    Object.assign(this, {canvas, view, session});
+    super(canvas, view);
+    this.session = session;
     this.tool = 'pull';
     this.strength = 'strong';
-    this.pointers = new Map();
     this.vector = null;  // a force given in numbers, in place of the pointer's; kJ/(mol Angstrom)
     this.held = null;
-    this.hovered = -1;
     this.busy = false;
-    this.nextLook = 0;
     this.onPush = null;  // takes a push in place of the steps: bar by bar
     this.onSay = () => {};
     this.takers = {};  // by tool: takes the joint of a click in place of the pull
-    this.listen();
-  }
-
-  listen() {
-    const {canvas} = this;
-    canvas.addEventListener('pointerdown', (event) => this.down(event));
-    canvas.addEventListener('pointermove', (event) => this.move(event));
-    canvas.addEventListener('pointerup', (event) => this.up(event));
-    canvas.addEventListener('pointercancel', (event) => this.up(event));
-    canvas.addEventListener('pointerleave', () => this.hover(-1));
-    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
-    canvas.addEventListener('wheel', (event) => this.wheel(event), {passive: false});
-  }
-
-  place(event) {
-    const box = this.canvas.getBoundingClientRect();
-    return {x: event.clientX - box.left, y: event.clientY - box.top};
   }
 
   positionOf(joint) {
-    return [...this.session.positions.subarray(3 * joint, 3 * joint + 3)];
-  }
-
-  wheel(event) {
-    event.preventDefault();
-    this.view.orbit.zoom(Math.exp(Math.max(-60, Math.min(60, event.deltaY)) * 0.0035));
-    this.view.stale = true;
+    return pointOf(this.session.positions, joint);
   }
 
   down(event) {
-    if (!this.view.model) return;
-    this.canvas.setPointerCapture(event.pointerId);
-    const at = this.place(event);
-    this.pointers.set(event.pointerId, {...at, start: at, moved: false});
-    if (this.pointers.size > 1) return this.release();
-    this.action = event.button === 2 || event.shiftKey ? 'pan' : 'turn';
+    const at = super.down(event);
+    if (!at) return this.release();
     this.met = null;
-    if (event.button !== 0 || event.shiftKey || this.tool === 'turn') return;
+    if (event.button !== 0 || event.shiftKey || this.tool === 'turn') return undefined;
     const met = this.met = this.view.pick(at.x, at.y, REACH[event.pointerType] ?? REACH.mouse);
     const mayMeet = !this.isReplay || this.tool in this.takers;
     if (met?.joint !== undefined && mayMeet) this.meet(met.joint, at, event.ctrlKey || event.metaKey);
+    return undefined;
   }
 
   meet(joint, at, withControl) {
@@ -100,43 +70,19 @@ export class Hand {
     return `${this.session.model.nameOf(joint)}${pinned}`;
   }
 
-  move(event) {
-    const at = this.place(event);
-    const pointer = this.pointers.get(event.pointerId);
-    if (!pointer) return this.look(at);
-    const [dx, dy] = [at.x - pointer.x, at.y - pointer.y];
-    const far = Math.hypot(at.x - pointer.start.x, at.y - pointer.start.y);
-    pointer.moved ||= far > CLICK;
-    if (this.pointers.size > 1) this.pinch(event.pointerId, at);
-    else if (this.held) this.drag(at);
-    else if (this.action === 'pan') this.view.orbit.pan(dx, dy);
-    else if (this.action === 'turn') this.view.orbit.rotate(dx, dy);
-    Object.assign(pointer, at);
-    this.view.stale = true;
-  }
-
-  /** Two fingers: nearer, about, and along. */
-  pinch(id, at) {
-    const [one, other] = [...this.pointers.entries()];
-    const fixed = one[0] === id ? other[1] : one[1];
-    const was = this.pointers.get(id);
-    const [before, after] = [[was.x - fixed.x, was.y - fixed.y], [at.x - fixed.x, at.y - fixed.y]];
-    const ratio = length(before) / Math.max(length(after), 1);
-    const angle = Math.atan2(after[1], after[0]) - Math.atan2(before[1], before[0]);
-    this.view.orbit.zoom(ratio);
-    this.view.orbit.roll(Math.atan2(Math.sin(angle), Math.cos(angle)));
-    this.view.orbit.pan((at.x - was.x) / 2, (at.y - was.y) / 2);
-  }
-
   /** Of a force given in numbers the direction alone is drawn. */
   showVector() {
     const from = this.positionOf(this.held.joint);
     const scale = 2 * this.view.unit / Math.max(length(this.vector), 1e-12);
-    this.view.arrow.show(from, from.map((x, c) => x + scale * this.vector[c]));
+    this.view.arrow.show(from, plus(from, times(this.vector, scale)));
   }
 
-  drag(at) {
-    if (this.vector) return;
+  drag(at, dx, dy) {
+    if (!this.held) super.drag(at, dx, dy);
+    else if (!this.vector) this.pullTo(at);
+  }
+
+  pullTo(at) {
     const {held} = this;
     const {x, y} = {x: at.x + held.off.x, y: at.y + held.off.y};
     held.target = this.view.orbit.unproject(x, y, held.depth);
@@ -144,33 +90,22 @@ export class Hand {
     this.view.arrow.show(this.positionOf(held.joint), held.target);
   }
 
-  /** What is under the pointer: seldom, where looking is slow. */
-  look(at) {
-    if (this.looking || !this.view.model || performance.now() < this.nextLook) return;
-    this.looking = true;
-    requestAnimationFrame(() => {
-      const began = performance.now();
-      this.looking = false;
-      const met = this.held ? null : this.view.pick(at.x, at.y);
-      this.hover(met?.joint ?? -1, met?.bar, met?.contact);
-      this.nextLook = performance.now() + 4 * (performance.now() - began);
-    });
+  seen(at) {
+    return this.held ? null : super.seen(at);
   }
 
-  hover(joint, bar, contact) {
-    if (this.held) return;
-    if (joint === this.hovered && bar === this.hoveredBar && contact === this.hoveredContact) return;
-    [this.hovered, this.hoveredBar, this.hoveredContact] = [joint, bar, contact];
-    this.view.setLit({hover: joint});
-    this.canvas.classList.toggle('over-joint', joint >= 0 || contact !== undefined);
+  hover(...met) {
+    if (!this.held) super.hover(...met);
+  }
+
+  tell(joint, bar, contact) {
     const {model} = this.session;
     if (contact !== undefined) return this.onSay(model.contactName(contact));
-    this.onSay(joint >= 0 ? this.describe(joint) : bar === undefined ? '' : model.barName(bar));
+    return this.onSay(joint >= 0 ? this.describe(joint) : bar === undefined ? '' : model.barName(bar));
   }
 
   up(event) {
-    const isClick = this.pointers.get(event.pointerId)?.moved === false && event.type === 'pointerup';
-    this.pointers.delete(event.pointerId);
+    const isClick = super.up(event);
     if (isClick && this.met && this.action !== 'none') this.session.tell('clicked', this.met);
     const {held} = this;
     if (!held) return;

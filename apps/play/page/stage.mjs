@@ -3,8 +3,7 @@
 // recorded. The picture, the plots and the save menu all look here.
 import {Frames} from './record/frames.mjs';
 import {Fluctuation, superpose} from './record/superpose.mjs';
-import {jointLook, vanDerWaals} from './view/colours.mjs';
-import {STYLES} from './view/scene.mjs';
+import {colouringOf} from './view/colours.mjs';
 
 /** What is held of a step; an H5MD file has it, and the bars that were broken are shown again. */
 const KEPT = ['positions', 'broken', 'step', 'sweeps', 'projections', 'residual', 'rms', 'converged',
@@ -203,16 +202,9 @@ export class Stage extends EventTarget {
     const {model, view} = this;
     if (!model) return;
     const mobility = this.colouring === 'mobility' ? this.fluctuation.each() : null;
-    const style = STYLES[view.style];
-    const single = style.ribbon ? 4 : 1.7;  // what no stick leads to is seen beside a cartoon
-    const radius = style.ball ? (joint) => vanDerWaals(model.elements[joint])
-      : (joint) => view.members.isAlone[joint] ? single : 1.7;
     view.showTautness(this.colouring === 'contacts');
-    const {look} = view.textures;
     const residuals = this.residuals ?? this.last?.broken;
-    jointLook(model, this.colouring, {mobility, residuals}, radius, look.data);
-    look.changed();
-    view.stale = true;
+    view.setColours(colouringOf(this.colouring, model, {mobility, residuals}));
   }
 
   /** Pins, and the wave of the repair: shares of 1 by joint. */

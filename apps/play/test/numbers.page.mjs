@@ -2,7 +2,7 @@
 // RMSD, RMSF and eigenvectors against cases whose answer is known.
 import assert from 'node:assert/strict';
 import {describe, test} from 'node:test';
-import {eigen} from '../page/eigen.mjs';
+import {eigen} from '../page/view/eigen.mjs';
 import {Fluctuation, superpose} from '../page/record/superpose.mjs';
 
 const START = Float64Array.from([0, 0, 0, 1.5, 0, 0, 1.5, 2, 0, -1, 0.5, 3, 0.2, -2, 1]);

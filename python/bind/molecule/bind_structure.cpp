@@ -14,6 +14,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/aromaticity.hpp"
 #include "pliant/molecule/drawing.hpp"
+#include "pliant/molecule/secondary_structure.hpp"
 #include "pliant/molecule/structure/residue_order.hpp"
 #include "texts.hpp"
 
@@ -161,6 +162,14 @@ void bind_residues(nb::class_<Structure>& structure) {
   structure.def_prop_ro(
       "residue_ids", [](const Structure& self) { return array_of(residue_ids_of(self)); },
       nb::rv_policy::reference, "(N,) int64: the number of each atom's residue.");
+  structure.def(
+      "secondary_structure",
+      [](const Structure& self) { return secondary_structure(self.atoms, self.positions); },
+      "One letter a residue, by the hydrogen bonds of the backbone (DSSP, with hydrogens where "
+      "they "
+      "would be):\n\"H\" helix, \"E\" strand or bridge, \"-\" neither, \" \" a residue without N, "
+      "CA, "
+      "C and O.");
   def_text(
       structure, "residue_names",
       [](const Structure& self) {

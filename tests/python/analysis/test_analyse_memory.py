@@ -11,12 +11,8 @@ import numpy as np
 import pytest
 from pliant.measure.domains import distance_fluctuations
 from pliant.measure.stages.parts import Units
-from pliant.report.page import cartoon
 from pliant.report.page.scene import _nearest
-from pliant.report.page.view_limits import facing_the_reader
 from scipy.spatial import cKDTree
-
-DATA = pytest.importorskip("MDAnalysisTests.datafiles")
 
 ATOMS = 9632
 #: MB that 140 frames more may take
@@ -105,14 +101,6 @@ def peak_of(work):
         tracemalloc.stop()
 
 
-def test_a_view_is_turned_without_a_table_of_pairs():
-    positions = np.random.default_rng(1).normal(size=(1, 3000, 3)) * [1, 5, 2]
-    assert peak_of(lambda: facing_the_reader(positions)) < 2  # all pairs: 72
-    assert facing_the_reader(positions)[0].std(axis=0) == pytest.approx([5, 2, 1], rel=0.1)
-    two = np.array([[[0.0, 0, 0], [0, 0, 2]]])
-    assert abs(facing_the_reader(two)[0]) == pytest.approx(np.array([[1, 0, 0], [1, 0, 0]]))
-
-
 def test_the_nearest_of_many():
     points, others = np.random.default_rng(2).normal(size=(2, 2000, 3))
     assert (_nearest(points, others) == cKDTree(others).query(points)[1]).all()
@@ -131,19 +119,3 @@ def test_sites_are_the_centres_of_their_atoms():
 def test_fluctuations_of_distances_hold_few_tables_of_pairs():
     positions = np.random.default_rng(4).normal(size=(8, 500, 3))
     assert peak_of(lambda: distance_fluctuations(positions)) < 35  # of 3 x 3 a pair: 58
-
-
-@pytest.mark.parametrize("copies", [1, 3])
-def test_chains_of_a_large_protein_are_looked_at_one_by_one(copies, monkeypatch):
-    one = MDAnalysis.Universe(DATA.PDB_small).select_atoms("protein")
-    expected = cartoon.secondary_structure(one)
-    assert {"h", "s", "c"} == set(expected)
-    chains = []
-    for k in range(copies):
-        chain = MDAnalysis.Merge(one)
-        chain.segments.segids = [f"S{k}"]
-        chain.atoms.translate([100.0 * k, 0, 0])
-        chains.append(chain.atoms)
-    many = MDAnalysis.Merge(*chains).atoms
-    monkeypatch.setattr(cartoon, "MOST_AT_ONCE", 300)
-    assert cartoon.secondary_structure(many) == copies * expected

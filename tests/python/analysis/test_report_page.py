@@ -9,13 +9,11 @@ import shutil
 import numpy as np
 import pytest
 from browser import Page, chromium
+from firefox import BINARY, Firefox
 from pliant.report.command import main
-from pliant.report.page import page as report_page
+from pliant.report.page.bundle import viewer_script
 
 needs_browser = pytest.mark.skipif(chromium() is None, reason="no Chromium is installed")
-needs_viewer = pytest.mark.skipif(
-    not report_page.viewer_script(), reason="pliant was built without 3Dmol.js"
-)
 
 #: share of the 3-D view's pixels that are not white, as the browser has them
 INK = """(async () => {
@@ -85,7 +83,6 @@ def frame(browser):
 
 
 @needs_browser
-@needs_viewer
 class TestViewer:
     def test_it_draws_without_errors_and_without_network(self, report, opened, tmp_path):
         browser = opened(report)
@@ -141,7 +138,7 @@ class TestViewer:
             "return [b.left, b.top, b.width, b.height]; })()"
         )
         left, top, width, height = box
-        x = left + 58 + (width - 68) * 10 / 29  # the margins of timeline.js
+        x = left + 58 + (width - 68) * 10 / 29  # the margins of timeline.mjs
         for kind in ("mousePressed", "mouseReleased"):
             place = {"x": x, "y": top + height / 2, "button": "left", "clickCount": 1}
             browser.call("Input.dispatchMouseEvent", {"type": kind, **place})
@@ -163,14 +160,12 @@ class TestViewer:
         assert shares[12] > 0.0005
 
     @pytest.mark.long
-    @pytest.mark.parametrize(
-        ("style", "colour"), [("Cartoon", "mobility"), ("Ball and stick", "element")]
-    )
+    @pytest.mark.parametrize(("style", "colour"), [("cartoon", "mobility"), ("balls", "element")])
     def test_styles_draw(self, report, opened, style, colour):
         self.draws(opened(report), style, colour)
 
     @pytest.mark.long
-    @pytest.mark.parametrize("style", ["Cartoon", "Ball and stick", "Sticks", "Spheres", "Lines"])
+    @pytest.mark.parametrize("style", ["cartoon", "balls", "sticks", "spheres", "lines"])
     @pytest.mark.parametrize("colour", ["element", "mobility"])
     def test_every_style_draws(self, report, opened, style, colour):
         self.draws(opened(report), style, colour)
@@ -204,12 +199,23 @@ class TestViewer:
         assert "It needs a browser with WebGL. The rest of the page is whole." in message
 
 
+@pytest.mark.long
+@pytest.mark.skipif(not (BINARY and shutil.which("Xvfb")), reason="no firefox-esr or xvfb")
+def test_firefox_draws_it_too(report, tmp_path):
+    pytest.importorskip("websockets")
+    (tmp_path / "profile").mkdir()
+    with Firefox(tmp_path / "profile") as firefox:
+        firefox.open(report.as_uri())
+        assert firefox.tell(DRAWN)
+        assert firefox.tell("document.documentElement.dataset.viewer") == "drawn"
+        assert firefox.tell(INK)["ink"] > 0.01
+
+
 def scene_of(path):
     found = re.search(r'id="scene">(.*?)</script>', path.read_text(encoding="utf-8"), re.DOTALL)
     return json.loads(found[1])
 
 
-@needs_viewer
 def test_the_page_refers_to_nothing_outside_itself(report):
     text = report.read_text(encoding="utf-8")
     own = re.sub(r"<script>.*?</script>", "", text, flags=re.DOTALL)
@@ -221,7 +227,6 @@ def test_the_page_refers_to_nothing_outside_itself(report):
     assert not re.search(r"<script[^>]*\ssrc=", text)
 
 
-@needs_viewer
 def test_positions_in_the_page_are_those_of_the_file(report, peptide):
     """Distances within a frame survive thinning, superposition and rounding."""
     import base64
@@ -268,20 +273,17 @@ def test_names_cannot_break_out_of_the_page(folder, pentane, write_run):
     assert '</s"' not in text
 
 
-def test_without_3dmol_the_rest_of_the_page_is_whole(report, folder, monkeypatch):
-    monkeypatch.setattr(report_page, "viewer_script", lambda: "")
-    out = folder / "without"
-    shutil.rmtree(out, ignore_errors=True)
-    run = report.parent.parent / "run.h5md"
-    assert main([str(run), "-o", str(out), "--quiet", "--dpi", "60"]) == 0
-    text = (out / "report.html").read_text(encoding="utf-8")
-    assert "The 3-D view is not in this page, because 3Dmol.js is not in the installed" in text
-    assert "<script" not in text
-    assert text.count("<img") == 10
+def test_the_script_of_the_view_is_all_that_the_page_needs(report):
+    script = viewer_script()
+    assert not re.search(r"^(import|export) ", script, re.MULTILINE)
+    named = set(re.findall(r"\bfrom_(\w+)", script))
+    assert named == set(re.findall(r"^const from_(\w+) = ", script, re.MULTILINE))
+    assert {"viewer", "scene", "ribbon_shader", "timeline"} <= named
+    assert len(script) < 100_000
+    assert report.stat().st_size < 1_000_000
 
 
 @needs_browser
-@needs_viewer
 def test_it_prints_on_four_pages_and_follows_a_dark_screen(report, opened):
     browser = opened(report)
     colour = "getComputedStyle(document.body).backgroundColor"

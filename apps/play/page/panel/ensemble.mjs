@@ -7,7 +7,7 @@ import {Fluctuation} from '../record/superpose.mjs';
 import {Domains} from './domains.mjs';
 import {$, guarded, units} from './dom.mjs';
 import {Shapes} from './shapes.mjs';
-import {STYLES} from '../view/scene.mjs';
+import {STYLES} from '../view/styles.mjs';
 
 const LEAST = 4;  // frames; fewer are shown one by one
 const LACKS = 'pliant play FILE finds domains and shapes, too, which the page alone does not.';

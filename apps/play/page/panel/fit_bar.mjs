@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Zoom to fit a bar: a double click on it, or a key; the bar then lies across the picture.
-import {at, cross, dot, length, less, plus, times} from '../view/vectors.mjs';
+import {cross, dot, length, less, plus, pointOf, times} from '../view/vectors.mjs';
 import {$, say} from './dom.mjs';
 
 const SHARE = 0.35;  // of the picture's shorter edge that the bar takes
@@ -38,7 +38,7 @@ export class FitBar {
     if (!(bar >= 0) || bar >= model.bars.length / 2) return say('There is no bar here to be fitted.', true);
     const x = this.stage.film ? this.view.textures.positions.data : null;
     const shown = this.stage.at === null ? this.session.positions : this.stage.frames.at(this.stage.at).positions;
-    const point = (joint) => (x ? at(x, joint, 4) : at(shown, joint));
+    const point = (joint) => (x ? pointOf(x, joint, 4) : pointOf(shown, joint));
     this.look(point(model.bars[2 * bar]), point(model.bars[2 * bar + 1]));
     $('said').textContent = model.barName(bar);
     return undefined;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // RMSD after superposition, and the rotation for it, by quaternions (Horn, J. Opt. Soc. Am. A 4
 // (1987) 629): the largest eigenvector of a symmetric 4 x 4 matrix.
-import {eigen} from '../eigen.mjs';
+import {eigen} from '../view/eigen.mjs';
 
 /** Centre of the joints `which` (indices), Angstrom. */
 export function centreOf(positions, which) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A camera about a point: turned by an arcball, moved and brought nearer. Angles in radians,
 // distances in Angstrom, places on the screen in CSS pixels.
-import {eigen} from '../eigen.mjs';
+import {eigen} from './eigen.mjs';
 import {cross, dot, length, less, plus, times, turnedAbout, unitary} from './vectors.mjs';
 
 const FIELD = 32 * Math.PI / 180;  // of the shorter edge

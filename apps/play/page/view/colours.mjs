@@ -3,7 +3,7 @@
 // so that all stay apart for each kind of colour vision (test/support/vision.mjs), the
 // scale is cividis (Nunez, Anderton & Renslow 2018): all can be told apart by colour-blind people.
 
-const hex = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
+export const hex = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
 
 // Hues that the field uses, lightness apart: red and blue differ for all who see colours poorly.
 const ELEMENTS = {
@@ -118,17 +118,8 @@ export const COLOURINGS = [
   {name: 'mobility', title: 'Mobility (RMSF so far)', of: byMobility, live: true},
 ];
 
-/** RGBA of all joints: the colour, and the radius in shares of 4 Angstrom. */
-export function jointLook(model, colouring, facts, radiusOf, out) {
-  const colourOf = COLOURINGS.find((row) => row.name === colouring).of(model, facts);
-  for (let joint = 0; joint < model.joints; ++joint) {
-    const colour = colourOf(joint);
-    out[4 * joint] = colour[0];
-    out[4 * joint + 1] = colour[1];
-    out[4 * joint + 2] = colour[2];
-    out[4 * joint + 3] = Math.round(radiusOf(joint) / 4 * 255);
-  }
-}
+/** Tells the colour of each joint, [r, g, b] of 255. */
+export const colouringOf = (name, model, facts) => COLOURINGS.find((row) => row.name === name).of(model, facts);
 
 const text = (colour) => `#${colour.map((x) => x.toString(16).padStart(2, '0')).join('')}`;
 

@@ -3,7 +3,7 @@
 // They stand still against one domain and go along with it.
 import {superpose} from '../record/superpose.mjs';
 import {arrow, drawSolids} from './solids.mjs';
-import {at, dot, less, plus, times} from './vectors.mjs';
+import {dot, less, plus, pointOf, times} from './vectors.mjs';
 
 const BEYOND = 6;  // Angstrom that a shaft is longer than the domain that turns about it
 const EDGE = [0.067, 0.094, 0.122, 1];
@@ -26,7 +26,7 @@ function shaft([start, end], colour) {
 export function endsOf({point, axis}, joints, positions) {
   let [low, high] = [Infinity, -Infinity];
   for (const joint of joints) {
-    const along = dot(less(at(positions, joint), point), axis);
+    const along = dot(less(pointOf(positions, joint), point), axis);
     [low, high] = [Math.min(low, along), Math.max(high, along)];
   }
   return [low - BEYOND, high + BEYOND].map((along) => plus(point, times(axis, along)));

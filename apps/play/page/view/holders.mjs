@@ -2,7 +2,7 @@
 // What holds a pull, lit up over all else: tubes between joints, and balls about pins.
 import {ball, drawSolids, rod} from './solids.mjs';
 import {rgb} from './uniforms.mjs';
-import {at} from './vectors.mjs';
+import {pointOf} from './vectors.mjs';
 
 /** Holders, the chain that is taut and the bars that carry the pull; radii in Angstrom. */
 const SORTS = {
@@ -33,7 +33,7 @@ export class Holders {
 
   draw(view) {
     if (!this.isShown) return;
-    const place = (joint) => at(view.textures.positions.data, joint, 4);
+    const place = (joint) => pointOf(view.textures.positions.data, joint, 4);
     const rods = Object.entries(this.pairs).flatMap(([sort, list]) => {
       const {radius, paint} = SORTS[sort];
       return list.map(([a, b]) => rod(place(a), place(b), radius * view.unit, paint));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Words and lines over the picture: an SVG in CSS pixels, drawn anew whenever the picture is. What it
 // stands at is what is shown: the texture of positions of the first walker.
-import {at} from './vectors.mjs';
+import {pointOf} from './vectors.mjs';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -18,7 +18,7 @@ export class Labels {
   }
 
   place(joint) {
-    return this.view.orbit.project(at(this.view.textures.positions.data, joint, 4));
+    return this.view.orbit.project(pointOf(this.view.textures.positions.data, joint, 4));
   }
 
   /** After each drawing of the picture. */

@@ -4,13 +4,14 @@
 import {Mesh} from './gl.mjs';
 import {ribbonFragment, ribbonVertex} from './ribbon_shader.mjs';
 import {numbers} from './textures.mjs';
-import {at, dot, length, less, times} from './vectors.mjs';
+import {dot, length, less, pointOf, times} from './vectors.mjs';
 
-export const [COIL, HELIX, STRAND, NUCLEIC] = [0, 1, 2, 3];
+const [COIL, HELIX, STRAND, NUCLEIC] = [0, 1, 2, 3];
 const LETTERS = {H: HELIX, E: STRAND};
 const FARTHEST = {6: 5, 15: 9};  // Angstrom between two CA or P of a chain; what is farther is a gap
 /** Of a strip: eight about it, or two edges of a flat one that costs an eighth. */
-export const [ROUND, FLAT] = [8, 2];
+export const ROUND = 8;
+export const FLAT = 2;
 
 /** Chains without gaps: lists of CA or P, of two and more. */
 function runsOf(model, positions) {
@@ -18,7 +19,7 @@ function runsOf(model, positions) {
   for (const joint of model.trace) {
     const last = runs.at(-1).at(-1);
     const isFar = last !== undefined && joint >= 0 && (model.elements[last] !== model.elements[joint] ||
-      length(less(at(positions, last), at(positions, joint))) > FARTHEST[model.elements[joint]]);
+      length(less(pointOf(positions, last), pointOf(positions, joint))) > FARTHEST[model.elements[joint]]);
     if (joint < 0 || isFar) runs.push([]);
     if (joint >= 0) runs.at(-1).push(joint);
   }
@@ -47,7 +48,7 @@ function turnsOf(run, guides, positions) {
   let last = null;
   return run.map((joint, k) => {
     if (guides[k] < 0) return 0;
-    const way = less(at(positions, guides[k]), at(positions, joint));
+    const way = less(pointOf(positions, guides[k]), pointOf(positions, joint));
     const isTurned = last && dot(way, last) < 0;
     last = isTurned ? times(way, -1) : way;
     return Number(Boolean(isTurned));

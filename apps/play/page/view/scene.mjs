@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The picture: balls in one draw call, sticks in another, of any number of walkers.
 import {Orbit} from './camera.mjs';
+import {vanDerWaals} from './colours.mjs';
 import {DepthLook} from './depth_look.mjs';
 import {Mesh, Renderer, Target} from './gl.mjs';
 import {Members} from './members.mjs';
@@ -16,8 +17,6 @@ import {
 import {rgb, uniformsOf} from './uniforms.mjs';
 
 const NO_PART = {members: {value: null}, memberCount: {value: 0}};  // all are drawn
-
-export {STYLES};
 
 const QUAD = {
   position: new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), index: new Uint32Array([0, 1, 2, 0, 2, 3]),
@@ -127,6 +126,24 @@ export class View {
     uniforms.stickRadius.value = style.stick;
     uniforms.traceRadius.value = style.trace;
     uniforms.kindRadius.value = [1, this.showAllBars ? 0.35 : 0, this.showContacts ? 0.5 : 0, 0];
+    this.stale = true;
+  }
+
+  /** Colours of joints, and their radii (in shares of 4 Angstrom) as the style has them. */
+  setColours(colourOf) {
+    const {model, members} = this;
+    const {ribbon, ball} = STYLES[this.style];
+    const single = ribbon ? 4 : 1.7;  // what no stick leads to is seen beside a cartoon
+    const {look} = this.textures;
+    for (let joint = 0; joint < model.joints; ++joint) {
+      const [red, green, blue] = colourOf(joint);
+      const radius = ball ? vanDerWaals(model.elements[joint]) : members.isAlone[joint] ? single : 1.7;
+      look.data[4 * joint] = red;
+      look.data[4 * joint + 1] = green;
+      look.data[4 * joint + 2] = blue;
+      look.data[4 * joint + 3] = Math.round(radius / 4 * 255);
+    }
+    look.changed();
     this.stale = true;
   }
 

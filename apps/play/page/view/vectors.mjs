@@ -10,7 +10,7 @@ export const length = (a) => Math.hypot(...a);
 export const unitary = (a) => times(a, 1 / (length(a) || 1));
 
 /** Place of a joint in an array of positions. */
-export const at = (positions, joint, stride = 3) => [...positions.subarray(stride * joint, stride * joint + 3)];
+export const pointOf = (positions, joint, stride = 3) => [...positions.subarray(stride * joint, stride * joint + 3)];
 
 /** A direction turned about an axis of length 1 (Rodrigues). */
 export function turnedAbout(direction, axis, angle) {

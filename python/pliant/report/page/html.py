@@ -12,21 +12,10 @@ from string import Template
 from typing import Any
 
 from pliant.base.console import plain
+from pliant.report.page.bundle import viewer_script
 
 #: cells of a table with more letters than this are text, which is wrapped
 SHORT = 14
-
-MISSING_VIEWER = (
-    "The 3-D view is not in this page, because 3Dmol.js is not in the installed package "
-    "(pliant/static/3Dmol-min.js). It is fetched from npm when pliant is built. "
-    "The rest of the page is whole."
-)
-
-
-def viewer_script() -> str:
-    """The text of 3Dmol.js, or "" when the package was built without it."""
-    file = resources.files("pliant") / "static" / "3Dmol-min.js"
-    return file.read_text(encoding="utf-8") if file.is_file() else ""
 
 
 def text_of(name: str) -> str:
@@ -45,12 +34,6 @@ def version() -> str:
         return metadata.version("pliant")
     except metadata.PackageNotFoundError:
         return ""
-
-
-def viewer(is_there: bool) -> str:
-    """The frame of the 3-D view, or why it is missing."""
-    missing = f'<div class="viewer card notes">{escape(MISSING_VIEWER)}</div>'
-    return text_of("viewer.html") if is_there else missing
 
 
 def fact(number: str, unit: str, meaning: str) -> str:
@@ -89,22 +72,13 @@ def disclosure(summary: str, content: str) -> str:
     )
 
 
-def licence_of_viewer() -> str:
-    """The licence of 3Dmol.js; "" where it is not in the package."""
-    licence = resources.files("pliant") / "static" / "3Dmol-LICENSE.txt"
-    if not licence.is_file():
-        return ""
-    text = escape(licence.read_text(encoding="utf-8"))
-    return disclosure("Licence of 3Dmol.js, which draws the 3-D view", f"<pre>{text}</pre>")
-
-
-def scripts(javascript: str, shown: Mapping[str, Any]) -> str:
-    """3Dmol.js, the scene and what draws it, as elements of the page."""
+def scripts(shown: Mapping[str, Any]) -> str:
+    """The scene and what draws it, as elements of the page."""
     data = json.dumps(plain(shown), separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
-    parts = [f'<script type="application/json" id="scene">{data}</script>']
-    for code in (javascript, text_of("timeline.js"), text_of("viewer.js")):
-        parts.append(f"<script>{_inline(code)}</script>")
-    return "\n".join(parts)
+    return (
+        f'<script type="application/json" id="scene">{data}</script>\n'
+        f"<script>{_inline(viewer_script())}</script>"
+    )
 
 
 def _inline(code: str) -> str:

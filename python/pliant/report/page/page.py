@@ -19,15 +19,12 @@ from pliant.report.page.additions import NOTHING, Additions
 from pliant.report.page.html import (
     disclosure,
     fact,
-    licence_of_viewer,
     scripts,
     sentence,
     table,
     template,
     text_of,
     version,
-    viewer,
-    viewer_script,
 )
 from pliant.report.page.methods import METHODS
 from pliant.report.page.page_tables import facts, tables, title
@@ -65,8 +62,7 @@ def page(
     more: Additions = NOTHING,
 ) -> str:
     """The page as text."""
-    javascript = viewer_script()
-    shown = scene(analysis) if javascript else None
+    shown = scene(analysis)
     return template("page.html").substitute(
         generator=escape(f"pliant {version()}"),
         title=escape(title(analysis)),
@@ -74,13 +70,13 @@ def page(
         style=text_of("page.css"),
         eyebrow=more.made_by,
         lead=_lead([*verdicts(analysis).values(), *more.verdicts.values()], more),
-        viewer=viewer(shown is not None),
+        viewer=text_of("viewer.html"),
         facts="\n".join(fact(*row) for row in facts(analysis)),
         notes=_notes(analysis, shown),
         sections=_sections(analysis, figures, dpi, more),
         details=_details(analysis, files),
         footer=escape(f"pliant {version()} · MDAnalysis {metadata.version('MDAnalysis')}"),
-        scripts=scripts(javascript, shown) if shown else "",
+        scripts=scripts(shown),
     )
 
 
@@ -189,5 +185,4 @@ def _details(analysis: Analysis, files: Sequence[Path]) -> str:
         parts.append(disclosure("Options of the run", table(("option", "value"), rows)))
     links = "".join(f'<li><a href="{escape(f.name)}">{escape(f.name)}</a></li>' for f in files)
     parts.append(disclosure("Files beside this page", f"<ul>{links}</ul>"))
-    parts.append(licence_of_viewer())
     return "\n".join(parts)

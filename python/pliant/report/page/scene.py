@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.spatial import cKDTree
 
+from pliant._core import Structure
 from pliant.measure.collective import participation
 from pliant.measure.frames import weights_of
 from pliant.measure.residuals import bar_residuals
@@ -27,13 +28,13 @@ from pliant.measure.stages.parts import (
     UnitsInComponents,
 )
 from pliant.measure.stages.units import trace_atoms
-from pliant.report.page.cartoon import secondary_structure
-from pliant.report.page.view_limits import (
+from pliant.report.page.drawn import (
     MAX_ATOMS,
     DrawnAtoms,
     as_base64,
     drawn_atoms,
-    facing_the_reader,
+    drawn_molecule,
+    drawn_positions,
 )
 from pliant.trajectory.superposition import Superposition
 
@@ -95,16 +96,16 @@ def scene(
     place[shown.atoms] = np.arange(len(shown.atoms))
     bars, bar_numbers = _pairs_among(_bars(analysis), place)
     positions, codes = _positions_and_codes(analysis, shown, bar_numbers)
-    step = max(float(np.abs(positions).max()) / 32767, 1e-6)
+    molecule = drawn_molecule(_structure(analysis, int(shown.frames[0])), shown.atoms)
+    molecule["atoms"]["unit"] = units_of_atoms(analysis, atoms).tolist()
     return {
-        "atoms": _atom_columns(atoms, analysis),
+        **molecule,
+        **drawn_positions(positions),
         "units": _unit_columns(analysis),
         "bonds": _pairs_among(_bonds(analysis), place)[0].ravel().tolist(),
         "bars": bars.ravel().tolist(),
         "frames": analysis.frames[shown.frames].tolist(),
         "axis": {"label": analysis.axis[1], "values": analysis.axis[0][shown.frames].tolist()},
-        "step": step,
-        "positions": as_base64(np.round(positions / step).astype("<i2")),
         "residuals": as_base64(codes),
         "residual_codes": {"per_decade": CODES_PER_DECADE, "lowest": LOWEST_DECADE},
         "series": _series(analysis, shown.frames),
@@ -135,7 +136,7 @@ def _pairs_among(pairs: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.n
 def _positions_and_codes(
     analysis: Analysis, shown: Thinned, bar_numbers: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Positions (f, n, 3) around the origin, superposed on the first; residual codes (f, b)."""
+    """Positions (f, n, 3), superposed on the first; residual codes (f, b)."""
     positions = np.empty((len(shown.frames), len(shown.atoms), 3))
     codes = np.zeros((len(shown.frames), len(bar_numbers)), dtype=np.uint8)
     superposition = None
@@ -147,7 +148,7 @@ def _positions_and_codes(
         positions[k] = superposition.apply(every[shown.atoms], fitted)
         if len(bar_numbers):
             codes[k] = _codes(analysis[Residuals].measured, every, bar_numbers)
-    return facing_the_reader(positions), codes
+    return positions, codes
 
 
 def _codes(residuals: BarResiduals, positions: np.ndarray, bar_numbers: np.ndarray) -> np.ndarray:
@@ -161,16 +162,22 @@ def _codes(residuals: BarResiduals, positions: np.ndarray, bar_numbers: np.ndarr
     return codes
 
 
-def _atom_columns(atoms: AtomGroup, analysis: Analysis) -> dict[str, Any]:
-    columns = {
-        "names": [str(name) for name in getattr(atoms, "names", [""] * len(atoms))],
-        "elements": _elements(atoms),
-        "residues": [str(name) for name in getattr(atoms, "resnames", [""] * len(atoms))],
-        "numbers": numbers_of(atoms).tolist(),
-        "chains": chains_of(atoms).tolist(),
-        "cartoon": secondary_structure(atoms),
-    }
-    return columns | {"unit": units_of_atoms(analysis, atoms).tolist()}
+def _structure(analysis: Analysis, frame: int) -> Structure:
+    """All atoms as they are in a frame."""
+    atoms = analysis.universe.atoms
+
+    def texts(name: str) -> list[str] | None:
+        return [str(text) for text in getattr(atoms, name)] if hasattr(atoms, name) else None
+
+    return Structure(
+        analysis.positions(frame),
+        elements=_elements(atoms),
+        names=texts("names"),
+        residue_names=texts("resnames"),
+        residue_ids=numbers_of(atoms),
+        insertion_codes=texts("icodes"),
+        chains=chains_of(atoms).tolist(),
+    )
 
 
 def units_of_atoms(analysis: Analysis, atoms: AtomGroup) -> np.ndarray:
@@ -222,15 +229,17 @@ def _unit_columns(analysis: Analysis) -> dict[str, Any]:
 
 
 def _elements(atoms: AtomGroup) -> list[str]:
-    """Symbols for colours and sizes; "C" where nothing is known."""
+    """Symbols for colours and sizes; "" where nothing is known."""
     elements = [str(e).capitalize() for e in getattr(atoms, "elements", [""] * len(atoms))]
-    hydrogen = is_hydrogen(atoms)
-    names = [str(name) for name in getattr(atoms, "names", ["C"] * len(atoms))]
+    names = [str(name) for name in getattr(atoms, "names", [""] * len(atoms))]
+    known = {*Structure(np.zeros((118, 3)), elements=np.arange(1, 119)).symbols.tolist()}
     guessed = [
-        "H" if h else name.lstrip("0123456789")[:1] for h, name in zip(hydrogen, names, strict=True)
+        "H" if hydrogen else name.lstrip("0123456789")[:1]
+        for hydrogen, name in zip(is_hydrogen(atoms), names, strict=True)
     ]
     return [
-        e or (g if g in "CNOSPFI" and g else "C") for e, g in zip(elements, guessed, strict=True)
+        element if element in known else guess if guess in set("HCNOSPFI") else ""
+        for element, guess in zip(elements, guessed, strict=True)
     ]
 
 

@@ -63,16 +63,6 @@ class RigidityFacts:
         """So many clusters, the first ones, have a name and a colour."""
         return self.counts["coloured_clusters"]
 
-    def backbone(self) -> tuple[np.ndarray, np.ndarray]:
-        """Residues (P,) with N, CA, C and O, and these atoms of them (P, 4)."""
-        place = np.full((len(self.chains), 4), -1)
-        column = {"N": 0, "CA": 1, "C": 2, "O": 3}
-        for k, name in enumerate(self.names):
-            if name in column:
-                place[self.residue_of[k], column[name]] = k
-        residues = np.flatnonzero((place >= 0).all(axis=1))
-        return residues, place[residues]
-
     def centres(self) -> np.ndarray:
         """(R,) the atom that stands for each residue: CA, P, or else its first."""
         first = np.unique(self.residue_of, return_index=True)[1]

@@ -17,15 +17,12 @@ from pliant.base.new_file import write_text
 from pliant.report.page.html import (
     disclosure,
     fact,
-    licence_of_viewer,
     scripts,
     sentence,
     table,
     template,
     text_of,
     version,
-    viewer,
-    viewer_script,
 )
 from pliant.report.rigidity.rigidity_facts import COLOURS, RigidityFacts, facts_of
 from pliant.report.rigidity.rigidity_methods import METHODS, READING
@@ -62,7 +59,6 @@ def save_rigidity_page(
 
 def rigidity_page(facts: RigidityFacts) -> str:
     """The page as text."""
-    javascript = viewer_script()
     shown = rigidity_scene(facts)
     name = facts.file or "molecule"
     return template("page.html").substitute(
@@ -72,13 +68,13 @@ def rigidity_page(facts: RigidityFacts) -> str:
         style=text_of("page.css"),
         eyebrow="pliant rigidity",
         lead=_lead(facts),
-        viewer=viewer(bool(javascript)),
+        viewer=text_of("viewer.html"),
         facts="\n".join(fact(*row) for row in _numbers(facts)),
         notes=_notes(shown["notes"]),
         sections="\n".join(_sections(facts)),
-        details="\n".join([_methods(), licence_of_viewer()]),
+        details=_methods(),
         footer=escape(f"pliant {version()}"),
-        scripts=scripts(javascript, shown) if javascript else "",
+        scripts=scripts(shown),
     )
 
 

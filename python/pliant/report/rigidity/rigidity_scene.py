@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import contextlib
 from string import ascii_letters
 from typing import Any
 
 import numpy as np
 
-from pliant.report.page.view_limits import DrawnAtoms, as_base64, drawn_atoms, facing_the_reader
+from pliant._core import Structure
+from pliant.report.page.drawn import DrawnAtoms, drawn_atoms, drawn_molecule, drawn_positions
 from pliant.report.rigidity.rigidity_facts import COLOURS, RigidityFacts
 
 #: of fewer residues a flexibility of residues tells nothing
@@ -17,28 +17,21 @@ LEAST_RESIDUES = 4
 
 
 def rigidity_scene(facts: RigidityFacts) -> dict[str, Any]:
-    """One frame, as JSON-ready values for viewer.js."""
+    """One frame, as JSON-ready values for viewer.mjs."""
     drawn = _drawn_atoms(facts)
     atoms = drawn.chosen
-    positions = facing_the_reader(facts.positions[None, atoms])
-    step = max(float(np.abs(positions).max(initial=0.0)) / 32767, 1e-6)
-    owners = facts.residue_of[atoms]
     units: dict[str, Any] = {"cluster": facts.cluster[atoms].tolist()}
     if len(facts.chains) >= LEAST_RESIDUES:
-        units["flexibility"] = np.clip(facts.flexibility[owners], 0.0, 1.0).round(4).tolist()
+        flexibility = facts.flexibility[facts.residue_of[atoms]]
+        units["flexibility"] = np.clip(flexibility, 0.0, 1.0).round(4).tolist()
     place = np.full(len(facts.names), -1)
     place[atoms] = np.arange(len(atoms))
     bonds = place[facts.bonds].reshape(-1, 2)
+    molecule = drawn_molecule(_structure(facts), atoms)
+    molecule["atoms"]["unit"] = list(range(len(atoms)))
     return {
-        "atoms": {
-            "names": [facts.names[k] for k in atoms],
-            "elements": [facts.elements[k] for k in atoms],
-            "residues": [facts.residue_names[k] for k in owners],
-            "numbers": [int(facts.numbers[k].rstrip(ascii_letters)) for k in owners],
-            "chains": [facts.chains[k] for k in owners],
-            "cartoon": _secondary_structure(facts, owners),
-            "unit": list(range(len(atoms))),
-        },
+        **molecule,
+        **drawn_positions(facts.positions[None, atoms]),
         "units": units,
         "palettes": {"cluster": COLOURS[: facts.named]},
         "legends": {
@@ -50,14 +43,26 @@ def rigidity_scene(facts: RigidityFacts) -> dict[str, Any]:
         "bars": [],
         "frames": [0],
         "axis": {"label": "frame", "values": [0]},
-        "step": step,
-        "positions": as_base64(np.round(positions / step).astype("<i2")),
         "residuals": "",
         "residual_codes": {"per_decade": 1, "lowest": 0},
         "series": {},
         "notes": list(drawn.notes),
         "trace_only": drawn.trace_only,
     }
+
+
+def _structure(facts: RigidityFacts) -> Structure:
+    owners = facts.residue_of
+    numbers = [facts.numbers[k] for k in owners]
+    return Structure(
+        facts.positions,
+        elements=facts.elements,
+        names=facts.names,
+        residue_names=[facts.residue_names[k] for k in owners],
+        residue_ids=[int(number.rstrip(ascii_letters)) for number in numbers],
+        insertion_codes=[number.lstrip("-0123456789") for number in numbers],
+        chains=[facts.chains[k] for k in owners],
+    )
 
 
 def _drawn_atoms(facts: RigidityFacts) -> DrawnAtoms:
@@ -67,17 +72,3 @@ def _drawn_atoms(facts: RigidityFacts) -> DrawnAtoms:
         heavy,
         lambda: np.flatnonzero([name in ("CA", "P") for name in facts.names]),
     )
-
-
-def _secondary_structure(facts: RigidityFacts, owners: np.ndarray) -> str:
-    """One letter an atom, h s or c; empty if there is no protein. c only without MDAnalysis."""
-    residues, atoms = facts.backbone()
-    if len(residues) < LEAST_RESIDUES:
-        return ""
-    letters = np.full(len(facts.chains), "c")
-    with contextlib.suppress(Exception):  # needs MDAnalysis 2.8 and six residues
-        from MDAnalysis.analysis.dssp.pydssp_numpy import assign
-
-        found = assign(facts.positions[atoms])
-        letters[residues] = np.select([found[:, 1], found[:, 2]], ["h", "s"], "c")
-    return "".join(letters[owners])

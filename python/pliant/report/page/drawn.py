@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""What the 3-D views of the pages hold to, and how positions are put into them."""
+"""What the 3-D views of the pages draw of a molecule, and how it is put into them."""
 
 from __future__ import annotations
 
 import base64
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+
+from pliant._core import Structure
 
 #: atoms that a browser draws fluently
 MAX_ATOMS = 12_000
@@ -40,15 +43,34 @@ def drawn_atoms(
     return DrawnAtoms(every[::stride], (f"every {stride}th atom only",), trace_only=True)
 
 
-def facing_the_reader(positions: np.ndarray) -> np.ndarray:
-    """Turned so that the first frame is longest along x and thinnest along z, around 0."""
+def drawn_molecule(structure: Structure, chosen: np.ndarray) -> dict[str, Any]:
+    """Its chosen atoms and their residues; secondary structure is that of all atoms."""
+    residues, first, owner = np.unique(
+        structure.residue_of[chosen], return_index=True, return_inverse=True
+    )
+    letters = structure.secondary_structure()
+    firsts = np.asarray(chosen)[first]
+    numbers = zip(structure.residue_ids[firsts], structure.insertion_codes[firsts], strict=True)
+    return {
+        "atoms": {
+            "names": structure.names[chosen].tolist(),
+            "elements": structure.elements[chosen].tolist(),
+            "residue": owner.tolist(),
+        },
+        "residues": {
+            "names": structure.residue_names[firsts].tolist(),
+            "numbers": [f"{number}{code}" for number, code in numbers],
+            "chains": structure.chains[firsts].tolist(),
+            "secondary": "".join(letters[k] for k in residues),
+        },
+    }
+
+
+def drawn_positions(positions: np.ndarray) -> dict[str, Any]:
+    """Positions (f, n, 3) about the middle of the first frame, as 16-bit multiples of a step."""
     positions = positions - positions[0].mean(axis=0)
-    # All three axes: two points have one alone. Of more, the full left matrix would be N x N.
-    _, _, axes = np.linalg.svd(positions[0], full_matrices=len(positions[0]) < 3)
-    if np.linalg.det(axes) < 0:
-        axes[2] = -axes[2]
-    turned: np.ndarray = positions @ axes.T
-    return turned
+    step = max(float(np.abs(positions).max(initial=0.0)) / 32767, 1e-6)
+    return {"step": step, "positions": as_base64(np.round(positions / step).astype("<i2"))}
 
 
 def as_base64(array: np.ndarray) -> str:
