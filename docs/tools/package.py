@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import shutil
 from pathlib import Path
@@ -22,4 +23,15 @@ def make() -> None:
     shutil.rmtree(TREE, ignore_errors=True)
     shutil.copytree(ROOT / "python" / "pliant", TREE, ignore=shutil.ignore_patterns("static"))
     stub = Path(found.origin).with_name("_core.pyi")
-    (TREE / "_core.py").write_text(stub.read_text(encoding="utf-8"), encoding="utf-8")
+    text = stub.read_text(encoding="utf-8")
+    (TREE / "_core.py").write_text(text + _shown_overloads(text), encoding="utf-8")
+
+
+def _shown_overloads(stub: str) -> str:
+    """The first of the overloads of each function, as if it were the function itself: the reference
+    finds none that has overloads alone."""
+    first: dict[str, ast.FunctionDef] = {}
+    for node in ast.parse(stub).body:
+        if isinstance(node, ast.FunctionDef) and node.decorator_list:
+            first.setdefault(node.name, node).decorator_list = []
+    return "".join(f"\n\n{ast.unparse(node)}\n" for node in first.values())
