@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Under bars across angles planar groups keep their torsions, and centres their chirality."""
 
-import re
-from pathlib import Path
-
 import numpy as np
 import pytest
 from nearness import MOLECULES, Case
@@ -11,8 +8,15 @@ from planarity import DIRECT, KINDS, change, changes, protein_cases, torsions
 
 import pliant
 
-PAGE = (Path(__file__).parents[3] / "src" / "pliant" / "resolve" / "README.md").read_text()
-HEADING = "| technique | omega | amide | guanidinium | aromatic | chirality |"
+#: At most so many degrees (KINDS); of techniques that only sweep, of all of them together.
+LIMITS = {
+    "auto units froda": (0.01, 0.01, 0.01, 0.01, 0.01),
+    "newton shake": (0.17, 0.43, 0.01, 0.01, 0.01),
+    "random bfs_cycle dfs_cycle bfs_reverse dfs_reverse bfs_adapt bfs_random input anderson": (
+        (1.86, 3.19, 4.49, 7.05, 0.10)
+    ),
+    "blocks": (14.42, 4.75, 8.74, 15.31, 0.01),
+}
 MOST_CHANGE = 1.0  # degrees
 NAMES = [row.name for row in pliant.techniques() if not row.forests_only]
 SWEEPS = [name for name in NAMES if name not in (*DIRECT, "blocks")]
@@ -20,12 +24,11 @@ pytestmark = pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 
 
 def limits() -> dict[str, dict[str, float]]:
-    """What the page says, in degrees; numbers there are rounded up."""
-    rows = PAGE[PAGE.index(HEADING) :].split("\n\n")[0].splitlines()[2:]
+    """The largest change of each kind, in degrees."""
     return {
-        name: dict(zip(KINDS, map(float, row.split("|")[2:7]), strict=True))
-        for row in rows
-        for name in re.findall(r"`(\w+)`", row.split("|")[1])
+        name: dict(zip(KINDS, row, strict=True))
+        for names, row in LIMITS.items()
+        for name in names.split()
     }
 
 
@@ -40,7 +43,7 @@ def check(name: str, most_joints: float = np.inf) -> None:
             assert found[kind] <= limits()[name][kind], (case.name, kind, found[kind])
 
 
-def test_the_page_has_every_technique_and_those_that_get_whole_stay_within_a_degree() -> None:
+def test_every_technique_has_limits_and_those_that_get_whole_stay_within_a_degree() -> None:
     assert set(limits()) == set(NAMES)
     for name in DIRECT:
         assert max(limits()[name].values()) <= MOST_CHANGE, name
@@ -66,7 +69,7 @@ def test_what_knows_bars_alone_holds_planar_groups(name: str) -> None:
 
 @pytest.mark.long
 @pytest.mark.parametrize("name", NAMES)
-def test_every_technique_holds_what_the_page_says(name: str) -> None:
+def test_every_technique_stays_within_its_limits(name: str) -> None:
     check(name)
 
 

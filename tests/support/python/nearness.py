@@ -2,7 +2,7 @@
 """How near a technique leaves what it resolves: farthest move over size of the push.
 
 ``python tests/support/python/nearness.py [TECHNIQUE...]`` prints the rows of the table that the
-page on methods has: the largest K of all pushes of one joint and of all, for bonds and for angles,
+test of nearness has: the largest K of all pushes of one joint and of all, for bonds and for angles,
 over all molecules with and without hydrogens.
 """
 
@@ -114,7 +114,7 @@ def large_files() -> list[Path]:
 
 @dataclass
 class Row:
-    """Of the table on the page: the largest K of a technique, and on which molecule it is."""
+    """The largest K of a technique, and on which molecule it is."""
 
     technique: str
     bonds: np.ndarray  # (2,) one joint, all joints
@@ -156,7 +156,7 @@ def all_cases() -> dict[str, list[Case]]:
 
 
 def main() -> None:
-    """Prints the rows of the page."""
+    """Prints the rows of the table."""
     warnings.simplefilter("ignore", pliant.PliantWarning)
     asked = sys.argv[1:]
     cases = all_cases()

@@ -2,7 +2,7 @@
 """How well techniques hold planar groups and chirality under bars across angles.
 
 ``python tests/support/python/planarity.py [TECHNIQUE...]`` prints the rows of the table that the
-page on methods has: the largest change of a signed angle, in degrees, after 100 steps of a
+test of planar groups has: the largest change of a signed angle, in degrees, after 100 steps of a
 default run.
 """
 
@@ -148,7 +148,7 @@ def up(degrees: float) -> float:
 
 
 def main() -> None:
-    """Prints the rows of the page."""
+    """Prints the rows of the table."""
     warnings.simplefilter("ignore", pliant.PliantWarning)
     for name in sys.argv[1:] or [row.name for row in pliant.techniques() if not row.forests_only]:
         print(page_row(name), flush=True)
