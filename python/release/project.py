@@ -3,29 +3,19 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 import subprocess
 from pathlib import Path
-from types import ModuleType
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+try:
+    import tomllib
+except ModuleNotFoundError:  # Python 3.10
+    from pip._vendor import tomli as tomllib
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def _module_beside(name: str) -> ModuleType:
-    """A module of the folder `python`, in no package.
-
-    The folder is put on no path: `pliant` in it is a source, which hides the installed package.
-    """
-    spec = importlib.util.spec_from_file_location(name, ROOT / "python" / f"{name}.py")
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-package_metadata = _module_beside("package_metadata")
 VERSION = re.compile(r"^project\(pliant VERSION ([\d.]+)", re.MULTILINE)
 
 
@@ -51,11 +41,14 @@ class Project(NamedTuple):
 
     def address(self) -> str:
         """Where the repository can be read; empty if nowhere yet."""
-        return package_metadata.repository(self.root)
+        return str(self._settings()["project"].get("urls", {}).get("Source", "")).rstrip("/")
 
     def maintainers(self) -> list[str]:
         """Their accounts at that address."""
-        return list(package_metadata.project_settings(self.root)["maintainers"])
+        return list(self._settings()["tool"]["pliant"]["maintainers"])
+
+    def _settings(self) -> dict[str, Any]:
+        return tomllib.loads(self.text("pyproject.toml"))
 
     def git(self, *words: str) -> str:
         """What git says; empty if it fails, or if this is no clone."""

@@ -13,8 +13,11 @@ HERE = Path(__file__).parent
 
 def missing(project: Project) -> list[str]:
     """What pyproject.toml does not say yet and the registry of MDAKits needs."""
-    needed = {"repository": project.address(), "maintainers": project.maintainers()}
-    return [f"{name} of [tool.pliant]" for name, value in needed.items() if not value]
+    needed = {
+        "Source of [project.urls]": project.address(),
+        "maintainers of [tool.pliant]": project.maintainers(),
+    }
+    return [name for name, value in needed.items() if not value]
 
 
 def conda(project: Project, digest: str) -> str:

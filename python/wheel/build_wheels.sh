@@ -21,7 +21,8 @@ environment() {
   here=$folder/environment$(say_version "$1")
   python=$here/bin/python
   [ -x "$python" ] || "$1" -m venv "$here"
-  "$python" -m pip install --quiet 'scikit-build-core>=0.10' 'nanobind>=3.1,<3.2' ninja
+  "$python" -m pip install --quiet 'scikit-build-core>=0.11' 'nanobind>=3.1,<3.2' \
+    'hatch-fancy-pypi-readme>=23.2' ninja
 }
 
 build_wheel() {

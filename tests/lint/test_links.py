@@ -140,12 +140,13 @@ def wrong_addresses(name: str, text: str, ours: str) -> Iterator[str]:
     for number, line in enumerate(text.splitlines(), start=1):
         if INVENTED.search(line):
             yield f"{name}:{number}: an invented address"
-        if ours and ours in line and not line.startswith("repository = "):
+        if ours and ours in line and not line.startswith("Source = "):
             yield f"{name}:{number}: the address stands in pyproject.toml already"
 
 
 def test_addresses_are_real_and_ours_is_written_once():
-    ours = re.search(r'^repository = "(.*)"', text_of("pyproject.toml"), re.MULTILINE)[1]
+    found = re.search(r'^Source = "(.*)"', text_of("pyproject.toml"), re.MULTILINE)
+    ours = found[1] if found else ""
     assert not ours or re.fullmatch(r"https://[\w.-]+(/[\w.-]+)+", ours)
     names = [name for name in tracked() if not OF_TESTS.match(name)]
     refuse([found for name in names for found in wrong_addresses(name, text_of(name), ours)])
@@ -155,7 +156,7 @@ def test_an_address_that_is_invented_or_twice_is_found():
     (found,) = wrong_addresses("a.md", "see\nhttps://pliant.example/it for more", "")
     assert found == "a.md:2: an invented address"
     ours = "https://git.invalid/pliant"
-    assert len([*wrong_addresses("a.md", f"home: {ours}\nrepository = '{ours}'", ours)]) == 1
+    assert len([*wrong_addresses("a.md", f"home: {ours}\nSource = '{ours}'", ours)]) == 1
 
 
 def test_anchors_are_those_of_github(tmp_path):

@@ -16,7 +16,7 @@ def small_project(tmp_path):
         "CITATION.cff": "version: 1.2.3\ndate-released: 2027-01-02\n",
         "docs/pages/cite.md": "  version = {1.2.3},\n",
         "CHANGELOG.md": f"# Changelog\n\n## 1.2.3 (2027-01-02)\n{SECTION}",
-        "pyproject.toml": '[tool.pliant]\nrepository = ""\nmaintainers = []\n',
+        "pyproject.toml": '[project]\nname = "a"\n\n[tool.pliant]\nmaintainers = []\n',
     }
     for name, text in files.items():
         path = tmp_path / name

@@ -177,7 +177,8 @@ def test_the_folder_has_sums_notes_and_recipe(small, tmp_path):
 
 
 def test_the_registry_gets_every_entry_filled(small):
-    settings = THESE.text("pyproject.toml").replace('repository = ""', f'repository = "{ADDRESS}"')
+    urls = f'[project.urls]\nSource = "{ADDRESS}/"\n\n[project.scripts]'
+    settings = THESE.text("pyproject.toml").replace("[project.scripts]", urls)
     settings = settings.replace("maintainers = []", 'maintainers = ["one", "two"]')
     (small.root / "pyproject.toml").write_text(settings)
     assert recipes.missing(small) == []
@@ -192,7 +193,7 @@ def test_the_registry_gets_every_entry_filled(small):
 
 
 def test_without_an_address_it_is_said_what_the_registry_misses(small):
-    assert recipes.missing(small) == ["repository of [tool.pliant]", "maintainers of [tool.pliant]"]
+    assert recipes.missing(small) == ["Source of [project.urls]", "maintainers of [tool.pliant]"]
 
 
 # --- conda ---------------------------------------------------------------------------------------
