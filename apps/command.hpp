@@ -29,6 +29,7 @@ struct Command {
 int command_contacts(const Arguments& arguments);
 int command_forcegen(const Arguments& arguments);
 int command_info(const Arguments& arguments);
+int command_lab(const Arguments& arguments);
 int command_order(const Arguments& arguments);
 int command_rigidity(const Arguments& arguments);
 int command_run(const Arguments& arguments);

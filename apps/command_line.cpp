@@ -155,43 +155,18 @@ void CommandLine::add_integer(const std::string& name, std::int64_t& value, std:
   add_parsed(parser_->app, name, "N", shown, help, parse);
 }
 
-void CommandLine::add_optional_integer(const std::string& name, bool& is_asked, std::int64_t& value,
-                                       std::int64_t least, std::int64_t most,
-                                       const std::string& type, const std::string& help) {
-  const auto parse = [name, least, most, &is_asked, &value](const std::vector<std::string>& texts) {
+void CommandLine::add_optional_text(const std::string& name, bool& is_asked, std::string& value,
+                                    const std::string& type, const std::string& fallback,
+                                    const std::string& help) {
+  const auto parse = [&is_asked, &value](const std::vector<std::string>& texts) {
     is_asked = true;
-    for (const std::string& text : texts) {
-      if (text.empty()) continue;
-      const auto number = parse_integer(text);
-      if (!number || has_blanks(text) || *number < least || *number > most)
-        refuse(name, wording(least, most), text);
-      value = *number;
-    }
+    for (const std::string& text : texts)
+      if (!text.empty()) value = text;
   };
   parser_->app.add_option_function<std::vector<std::string>>(name, parse, help)
       ->type_name("[" + type + "]")
       ->expected(0, 1)
-      ->default_str(std::to_string(value));
-}
-
-void CommandLine::add_integer_or_choice(const std::string& name, std::int64_t& value,
-                                        std::int64_t least, std::int64_t most, std::string& word,
-                                        const std::vector<std::string_view>& names,
-                                        const std::string& help) {
-  const std::vector<std::string> known(names.begin(), names.end());
-  const auto parse = [name, least, most, known, &value, &word](const std::string& text) {
-    const auto number = parse_integer(text);
-    const bool is_number = number && !has_blanks(text) && *number >= least && *number <= most;
-    if (is_number) {
-      value = *number;
-    } else if (std::find(known.begin(), known.end(), text) != known.end()) {
-      word = text;
-    } else {
-      refuse(name, wording(least, most) + fmt::format(" or one of {}", fmt::join(known, ", ")),
-             text);
-    }
-  };
-  add_parsed(parser_->app, name, "N or NAME", "", help, parse);
+      ->default_str(fallback);
 }
 
 void CommandLine::add_seed(const std::string& name, std::uint64_t& value, const std::string& help) {

@@ -53,10 +53,11 @@ class CommandLine {
   void add_integer(const std::string& name, std::int64_t& value, std::int64_t least,
                    std::int64_t most, const std::string& help, const char* fallback = nullptr);
 
-  /// Adds a whole number that may follow the option; without one the value does not change.
-  void add_optional_integer(const std::string& name, bool& is_asked, std::int64_t& value,
-                            std::int64_t least, std::int64_t most, const std::string& type,
-                            const std::string& help);
+  /// Adds a text that may follow the option; without one the value does not change. The help shows
+  /// `fallback` for it.
+  void add_optional_text(const std::string& name, bool& is_asked, std::string& value,
+                         const std::string& type, const std::string& fallback,
+                         const std::string& help);
 
   /// Adds a 64-bit number without sign.
   void add_seed(const std::string& name, std::uint64_t& value, const std::string& help);
@@ -81,11 +82,6 @@ class CommandLine {
   /// Adds one of `names`.
   void add_choice(const std::string& name, std::string& value,
                   const std::vector<std::string_view>& names, const std::string& help);
-
-  /// Adds a whole number in [least, most], or one of `names`, which is put into `word`.
-  void add_integer_or_choice(const std::string& name, std::int64_t& value, std::int64_t least,
-                             std::int64_t most, std::string& word,
-                             const std::vector<std::string_view>& names, const std::string& help);
 
   /// Returns -1 to continue, else the exit code (help or an error was printed).
   int parse(const Arguments& arguments);

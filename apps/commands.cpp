@@ -26,8 +26,7 @@ constexpr std::string_view going = "How does it get there?";
 constexpr std::string_view other = "What else could it look like?";
 constexpr std::string_view live = "Live";
 constexpr std::string_view files = "Files";
-constexpr std::string_view solvers = "Solvers";
-constexpr std::string_view thesis = "The thesis";
+constexpr std::string_view method = "The method";
 
 constexpr Command commands[] = {
     {moving, "study", "answer on one page: what is flexible, what moves together, what else",
@@ -40,17 +39,14 @@ constexpr Command commands[] = {
     {moving, "rigidity",
      "count degrees of freedom: which parts of a molecule are rigid, which flexible",
      command_rigidity},
-    {moving, "demo", "make a first ensemble, of a helix that comes with Pliant, and say what moves",
-     nullptr},
 
     {going, "path", "find a path from one structure of a molecule to another", nullptr},
     {going, "run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
      command_run},
 
-    {other, "representatives", "choose a few frames that represent all the others", nullptr},
     {other, "compare", "compare with NMR models, crystal structures or MD", nullptr},
     {other, "check", "check a trajectory with OpenMM: can it be used to start MD?", nullptr},
-    {other, "ensemble", "many walkers or frames in shards, on all cores or many machines", nullptr},
+    {other, "ensemble", "very many frames in shards, on all cores or many machines", nullptr},
 
     {live, "play", "pull on a molecule by hand, on a page in the browser", nullptr},
     {live, "watch", "follow a live run in a terminal, over IMD", nullptr},
@@ -60,17 +56,25 @@ constexpr Command commands[] = {
     {files, "contacts", "list what holds a molecule besides its bonds, such as hydrogen bonds",
      command_contacts},
     {files, "convert", "write a trajectory as DCD, XTC, PDB, SDF, Zarr ...", nullptr},
-    {files, "recover", "copy whatever can be read of a damaged trajectory", nullptr},
 
-    {solvers, "techniques", "list techniques, weightings and perturbations", command_techniques},
-    {solvers, "order", "write the order in which a technique visits the bars", command_order},
-    {solvers, "forcegen", "write a force file of random pushes", command_forcegen},
-    {solvers, "bench", "measure time and error of every technique, and of OpenMM", nullptr},
+    {method, "lab", "compare and measure the techniques that restore bonds", command_lab},
+};
 
-    {thesis, "experiment",
-     "compare techniques on random graphs, and judge the claims of the thesis", nullptr},
-    {thesis, "structgen", "make random graphs of a class, or a test set of all classes",
-     command_structgen},
+/// A command that was one, and what does its work now.
+struct OldName {
+  std::string_view name, now;
+};
+
+constexpr OldName old_names[] = {
+    {"bench", "pliant lab bench"},
+    {"demo", "pliant study --demo"},
+    {"experiment", "pliant lab experiment"},
+    {"forcegen", "pliant lab forcegen"},
+    {"order", "pliant lab order"},
+    {"recover", "pliant convert --recover"},
+    {"representatives", "pliant convert --representatives N"},
+    {"structgen", "pliant lab structgen"},
+    {"techniques", "pliant lab techniques"},
 };
 
 void print_commands(std::FILE* to) {
@@ -79,7 +83,7 @@ void print_commands(std::FILE* to) {
     if (command.group != group)
       std::fprintf(to, "\n%.*s\n", int(command.group.size()), command.group.data());
     group = command.group;
-    std::fprintf(to, "  %-17.*s%.*s\n", int(command.name.size()), command.name.data(),
+    std::fprintf(to, "  %-12.*s%.*s\n", int(command.name.size()), command.name.data(),
                  int(command.summary.size()), command.summary.data());
   }
 }
@@ -141,6 +145,8 @@ int dispatch(const Arguments& words) {
   if (name == "--completion") return print_completion(rest);
   for (const Command& command : commands)
     if (command.name == name && command.run != nullptr) return command.run(rest);
+  for (const OldName& old : old_names)
+    if (old.name == name) throw OptionError(name + ": is " + std::string(old.now) + " now");
   return run_external(name, rest);
 }
 

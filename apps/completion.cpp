@@ -29,13 +29,15 @@ constexpr std::string_view for_bash = R"shell(# bash completion of pliant: add t
     mapfile -t COMPREPLY < <(compgen -W "@COMMANDS@ --help --help-all --version --completion" -- "$word")
     return
   fi
+  local at=2
+  while ((at < COMP_CWORD)) && [[ ${COMP_WORDS[at]} =~ ^[a-z][a-z-]*$ ]] &&
+    _pliant_subcommands "${called[@]}" | grep -qx -- "${COMP_WORDS[at]}"; do
+    called+=("${COMP_WORDS[at]}")
+    at=$((at + 1))
+  done
   if [[ $word == -* ]]; then
-    if ((COMP_CWORD > 2)) && [[ ${COMP_WORDS[2]} =~ ^[a-z][a-z-]*$ ]] &&
-      _pliant_subcommands "${called[@]}" | grep -qx -- "${COMP_WORDS[2]}"; then
-      called+=("${COMP_WORDS[2]}")
-    fi
     mapfile -t COMPREPLY < <(compgen -W "$(_pliant_options "${called[@]}")" -- "$word")
-  elif ((COMP_CWORD == 2)); then
+  elif ((COMP_CWORD == at)); then
     mapfile -t COMPREPLY < <(compgen -W "$(_pliant_subcommands "${called[@]}")" -- "$word")
   fi
 }
@@ -53,15 +55,17 @@ constexpr std::string_view for_zsh = R"shell(#compdef pliant
     _describe command found
     return
   fi
+  local at=3
+  while ((at < CURRENT)) && _pliant_subcommands $called | grep -qx -- "${words[at]}"; do
+    called+=(${words[at]})
+    at=$((at + 1))
+  done
   if [[ ${words[CURRENT]} == -* ]]; then
-    if ((CURRENT > 3)) && _pliant_subcommands $called | grep -qx -- "${words[3]}"; then
-      called+=(${words[3]})
-    fi
     found=(${(f)"$(_pliant_options $called)"})
     compadd -a found
     return
   fi
-  if ((CURRENT == 3)); then
+  if ((CURRENT == at)); then
     found=(${(f)"$(_pliant_subcommands $called)"})
     compadd -a found
   fi
@@ -72,30 +76,38 @@ compdef _pliant pliant
 
 constexpr std::string_view for_fish = R"shell(# fish completion of pliant:
 #   pliant --completion fish > ~/.config/fish/completions/pliant.fish
-function __pliant_options
+function __pliant_called
   set -l called (commandline -opc)
   test (count $called) -ge 2; or return
   set -l command $called[1..2]
-  if test (count $called) -ge 3; and contains -- $called[3] (__pliant_subcommands)
-    set command $called[1..3]
+  for word in $called[3..-1]
+    contains -- $word (__pliant_subcommands $command); or break
+    set -a command $word
   end
+  string join \n -- $command
+end
+function __pliant_options
+  set -l command (__pliant_called)
+  test (count $command) -ge 2; or return
   $command --help-all 2>/dev/null | string replace -rf '^  +(?:-[a-zA-Z][^-]*, *|-[a-zA-Z],)?(--[a-z][a-z-]*).*' '$1'
 end
 function __pliant_subcommands
-  set -l called (commandline -opc)
-  test (count $called) -ge 2; or return
-  $called[1..2] --help 2>/dev/null | sed -nE '/^subcommands:/,/^$/s/^  ([a-z][a-z-]+)  .*/\1/p'
+  $argv --help 2>/dev/null | sed -nE '/^subcommands:/,/^$/s/^  ([a-z][a-z-]+)  .*/\1/p'
 end
 function __pliant_at_command
   test (count (commandline -opc)) -eq 1
 end
+function __pliant_next
+  set -l command (__pliant_called)
+  test (count $command) -eq (count (commandline -opc)); and __pliant_subcommands $command
+end
 function __pliant_at_subcommand
-  test (count (commandline -opc)) -eq 2
+  test (count (commandline -opc)) -ge 2
 end
 function __pliant_at_option
   string match -q -- '-*' (commandline -ct)
 end
-@ADDED@complete -c pliant -n __pliant_at_subcommand -a '(__pliant_subcommands)'
+@ADDED@complete -c pliant -n __pliant_at_subcommand -a '(__pliant_next)'
 complete -c pliant -n __pliant_at_option -f -a '(__pliant_options)'
 )shell";
 

@@ -3,7 +3,7 @@
 well quartiles of pairs of like softness hold for a protein that is left out.
 
 Usage: .venv/bin/python data/make_known_pairs.py FOLDER...
-FOLDERs are those of `pliant bench coverage --data`: subfolders with two structures each.
+FOLDERs are those of `pliant lab bench coverage --data`: subfolders with two structures each.
 """
 
 from __future__ import annotations

@@ -129,7 +129,7 @@ def draw_pliant():
         words = "--perturb displacement --technique blocks"
         pliant("run", start, "-o", peptide, "--steps", 200, "--every", 10, *words.split())
         pliant("run", datafiles.PDB_small, "-o", protein, "--steps", 20, *words.split())
-        check = json.loads(pliant("check", protein, "--no-picture", "--json"))
+        check = json.loads(pliant("check", protein, "--json"))
         figure = plt.figure(figsize=(11, 4.6), facecolor="white")
         draw_ensemble(
             figure,
@@ -244,7 +244,7 @@ def draw_mechanisms():
 def draw_work_precision():
     """Run time against error of every technique, OpenMM, and GROMACS if installed, on a protein."""
     words = ["--quiet", "--repeats", 15, "-o", HERE / "pictures" / "work_precision.png"]
-    pliant("bench", "work-precision", datafiles.PDB_small, *words)
+    pliant("lab", "bench", "work-precision", datafiles.PDB_small, *words)
 
 
 def draw_thesis():

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pliant forcegen: a force file of random pushes (the thesis' ForceGen).
+// pliant lab forcegen: a force file of random pushes (the thesis' ForceGen).
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -32,7 +32,7 @@ void add_options(CommandLine& line, ForcegenSettings& settings) {
   constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
   add_molecule_options(line, settings.molecule);
   line.start_group("Pushes");
-  line.add_integer("--count", settings.count, 1, 1'000'000'000, "pushes, one per step");
+  line.add_integer("--steps", settings.count, 1, 1'000'000'000, "pushes, one per step");
   line.add_real("--force", settings.perturb.force, Range::zero_or_more,
                 "size of each force, kJ/(mol Angstrom); joint and direction are random");
   line.add_seed("--seed", settings.resolve.seed, "seed of all random numbers");
@@ -79,18 +79,18 @@ void print_summary(const ForcegenSettings& settings) {
 
 int command_forcegen(const Arguments& arguments) {
   CommandLine line(
-      "pliant forcegen",
+      "pliant lab forcegen",
       "Writes a force file: random pushes, each a force on one joint, and the timestep,\n"
       "tolerance and maximum number of sweeps that they are meant for. pliant run makes the\n"
       "same pushes with the same --force and --seed. The file lets techniques, and\n"
       "other programs, be compared under the same forces.");
   line.set_footer(
       "Examples:\n"
-      "  pliant forcegen graph.xml --count 50 --force 100 --seed 1 -o forces.txt\n"
+      "  pliant lab forcegen graph.xml --steps 50 --force 100 --seed 1 -o forces.txt\n"
       "  pliant run graph.xml --forces forces.txt --technique bfs_cycle");
   ForcegenSettings settings;
   add_options(line, settings);
-  line.set_common({"--count", "--force", "--seed", "--model", "--output"});
+  line.set_common({"--steps", "--force", "--seed", "--model", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.output.empty()) settings.output = default_output(settings.molecule.input.file);
   refuse_same_files(inputs_of(settings.molecule), {settings.output});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pliant order: the ordering file (the thesis' constraint file) of a technique's first sweep.
+// pliant lab order: the ordering file (the thesis' constraint file) of a technique's first sweep.
 #include <fmt/format.h>
 
 #include "command.hpp"
@@ -28,7 +28,7 @@ void add_options(CommandLine& line, OrderSettings& settings) {
   add_molecule_options(line, settings.molecule);
   line.start_group("Ordering");
   line.add_choice("--ordering", settings.ordering, names_of(orderings()),
-                  "one of those that pliant techniques lists");
+                  "one of those that pliant lab techniques lists");
   line.add_text("--root", settings.root, "JOINT",
                 "joint where the ordering begins: its name, or its index from 0");
   line.add_seed("--seed", settings.seed, "seed of random orderings");
@@ -67,14 +67,15 @@ void print_json(const OrderSettings& settings, const Framework& framework,
 
 int command_order(const Arguments& arguments) {
   CommandLine line(
-      "pliant order",
+      "pliant lab order",
       "Writes the order in which the first sweep of a technique visits the bars, one bar\n"
       "per line: near joint, far joint, tree or non_tree (closes a cycle). pliant run\n"
       "--ordering takes such a file, edited or not.");
   line.set_footer(
       "Examples:\n"
-      "  pliant order graph.xml --ordering dfs_cycle --root a\n"
-      "  pliant order graph.xml -o ordering.txt && pliant run graph.xml --ordering ordering.txt");
+      "  pliant lab order graph.xml --ordering dfs_cycle --root a\n"
+      "  pliant lab order graph.xml -o ordering.txt && pliant run graph.xml --ordering "
+      "ordering.txt");
   OrderSettings settings;
   add_options(line, settings);
   line.set_common({"--ordering", "--root", "--seed", "--output", "--overwrite"});

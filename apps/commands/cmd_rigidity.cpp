@@ -76,7 +76,7 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
   add_model_options(line, settings.molecule.model);
   line.start_group("Counting");
   for (const auto& field : rigidity_fields())
-    add_option(line, field, field.place(settings.counting));
+    if (field.users.command) add_option(line, field, field.place(settings.counting));
   line.add_flag("--dilution", settings.dilution,
                 "remove hydrogen bonds one by one, weakest first, starting at --hbond-cutoff");
   line.start_group("Output");
@@ -153,7 +153,6 @@ void check_for_graph(const RigiditySettings& settings) {
   const RigidityAsked usual;
   refuse(settings.counting.hbond_bars != usual.hbond_bars, "--hbond-bars");
   refuse(settings.counting.tether_bars != usual.tether_bars, "--tether-bars");
-  refuse(settings.counting.ends_turn != usual.ends_turn, "--still-ends");
   refuse(!settings.counting.free_angles.empty(), "--free-angles");
 }
 

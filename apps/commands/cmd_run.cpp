@@ -67,7 +67,7 @@ constexpr const char* footer =
     "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
     "  pliant run protein.pdb -o movie.pdb --every 10\n"
     "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
-    "  pliant run protein.pdb --model protein --rock 1 --rock-amplitude 2\n"
+    "  pliant run protein.pdb --model protein --rock 1 --amplitude 2\n"
     "  pliant run protein.pdb --model protein --pull \"resid 30:40\" 0,0,8\n"
     "  pliant run protein.pdb --model protein \\\n"
     "      --pair-distance \"resid 12 and name CA\" \"resid 88 and name CA\" 20..25\n"
@@ -102,7 +102,7 @@ int run(const RunSettings& settings, RunJob& run, const Molecule& molecule, Mess
 int begin(const CommandLine& line, RunSettings& settings) {
   Job& asked = settings.job;
   const bool asks_for_topology = !asked.output.topology.empty();
-  check_imd(line, settings.imd);
+  settle_imd(line, settings.imd);
   asked.is_live = settings.imd.is_asked;
   settle_walkers(asked);
   name_outputs(asked.output, asked.molecule.input.file, asked.walkers.first == 0);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "command.hpp"
-#include "external.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "options/job_options.hpp"
@@ -20,21 +19,7 @@ namespace {
 struct SampleSettings {
   Job job = usual_job("sample");
   Printing printing;
-  bool show = false;  ///< on the page of `pliant play`, once they are there
 };
-
-void add_options(CommandLine& line, SampleSettings& settings) {
-  add_job_options(line, settings.job);
-  line.add_flag("--show", settings.show,
-                "then open the frames on a page in the browser: pliant play OUTPUT");
-  add_printing_options(line, settings.printing);
-}
-
-void check_show(const SampleSettings& settings) {
-  const std::string& output = settings.job.output.output;
-  if (settings.show && (is_pdb_name(output) || is_sdf_name(output)))
-    throw OptionError("--show: expected an H5MD output, which holds all that the page shows");
-}
 
 /// An SDF file is what `pliant conformers` makes, ranked, of all records.
 void refuse_ranking(const Job& job) {
@@ -42,20 +27,6 @@ void refuse_ranking(const Job& job) {
     throw OptionError("--output " + job.output.output +
                       ": pliant conformers writes SDF, ranked by energy; --sampler torsions writes "
                       "all frames of one molecule");
-}
-
-void check_commits(const CommandLine& line, const OutputOptions& output) {
-  if (line.was_given("--commit-seconds") && output.commits.empty())
-    throw OptionError("--commit-seconds: goes with --commits");
-}
-
-/// What was made; shown on the page if that was asked for and it was not ended early.
-int finished(const SampleSettings& settings, const Job& job, const SampledSystem& system,
-             const SampleSummary& summary, const Messages& messages) {
-  print_sample(settings.printing, job, system, summary, messages.warnings());
-  if (!settings.show || interrupted()) return exit_code_of(summary);
-  std::fflush(nullptr);  // what was printed is not of the next program
-  return run_program("play", {job.output.output});
 }
 
 /// Counts frames on the progress bar until Ctrl-C.
@@ -77,7 +48,8 @@ int go_on(const CommandLine& line, SampleSettings& settings) {
   watch_for_interrupt();
   ProgressBar progress(sample.from().steps - sample.from().done, "frames", settings.printing.quiet);
   const SampleSummary summary = sample.run(counted(progress), interrupted);
-  return finished(settings, sample.job(), sample.system(), summary, messages);
+  print_sample(settings.printing, sample.job(), sample.system(), summary, messages.warnings());
+  return exit_code_of(summary);
 }
 
 /// Of several records one is taken only if it was asked for.
@@ -91,11 +63,9 @@ void refuse_library(const CommandLine& line, const Structure& structure) {
 
 int begin(const CommandLine& line, SampleSettings& settings) {
   Job& job = settings.job;
-  check_commits(line, job.output);
   const bool asks_for_topology = !job.output.topology.empty();
   refuse_ranking(job);
   settle_sample(job);
-  check_show(settings);
   Messages messages(settings.printing.json || settings.printing.quiet);
   const Log log = messages.log_of_model(job.molecule.input.file, settings.printing.verbose);
   const Structure structure = read_input(job.molecule.input, log);
@@ -109,7 +79,8 @@ int begin(const CommandLine& line, SampleSettings& settings) {
   ProgressBar progress(sample.job().sample.frames, "frames", settings.printing.quiet);
   const SampleSummary summary = sample.run(counted(progress), interrupted);
   warn_of_amplitude(summary, messages.log());
-  return finished(settings, sample.job(), sample.system(), summary, messages);
+  print_sample(settings.printing, sample.job(), sample.system(), summary, messages.warnings());
+  return exit_code_of(summary);
 }
 
 constexpr const char* sample_purpose =
@@ -123,7 +94,6 @@ constexpr const char* sample_purpose =
 constexpr const char* sample_examples =
     "Examples:\n"
     "  pliant sample protein.pdb -o ensemble.h5md\n"
-    "  pliant sample protein.pdb --show                    on a page, moving\n"
     "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
     "  pliant sample protein.pdb --amplitude nmr_models.pdb\n"
     "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
@@ -140,7 +110,8 @@ int command_sample(const Arguments& arguments) {
   CommandLine line("pliant sample", sample_purpose);
   line.set_footer(sample_examples);
   SampleSettings settings;
-  add_options(line, settings);
+  add_job_options(line, settings.job);
+  add_printing_options(line, settings.printing);
   line.set_common({"--frames", "--amplitude", "--continue", "--select", "--keep", "--output"});
   if (const int code = line.parse(arguments); code >= 0) return code;
   return with_errors_as_json(!settings.printing.job_file.empty(), [&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pliant structgen: random graphs of a class, or a whole test set (the thesis' StructGen).
+// pliant lab structgen: random graphs of a class, or a whole test set (the thesis' StructGen).
 #include <fmt/format.h>
 
 #include "command.hpp"
@@ -76,7 +76,7 @@ void write_set(StructgenSettings& settings) {
 
 int command_structgen(const Arguments& arguments) {
   CommandLine line(
-      "pliant structgen",
+      "pliant lab structgen",
       "Makes random frameworks (points, called joints, and bars of fixed length between them): a\n"
       "tree, or a graph with 1, 2 or n cycles, made in one of the ways listed below (classes).\n"
       "Writes one graph as XML. With --test-set it writes a folder for each class. This holds a\n"

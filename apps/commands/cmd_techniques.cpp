@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pliant techniques: the tables that --technique and --perturb choose from.
+// pliant lab techniques: the tables that --technique and --perturb choose from.
 #include <fmt/format.h>
 
 #include "command.hpp"
@@ -26,7 +26,7 @@ Json perturbation_rows() {
   return Json::array(rows);
 }
 
-void print_table() {
+void print_tables() {
   fmt::print("techniques (--technique)\n");
   for (const TechniqueEntry& row : techniques())
     fmt::print("  {:<17}{}{}\n", row.name, row.summary, row.forests_only ? "; trees only" : "");
@@ -42,11 +42,11 @@ void print_table() {
 }  // namespace
 
 int command_techniques(const Arguments& arguments) {
-  CommandLine line("pliant techniques", "Lists techniques, weightings and perturbations.");
+  CommandLine line("pliant lab techniques", "Lists techniques, weightings and perturbations.");
   line.set_footer(
       "Examples:\n"
-      "  pliant techniques\n"
-      "  pliant techniques --json\n"
+      "  pliant lab techniques\n"
+      "  pliant lab techniques --json\n"
       "  pliant run molecule.sdf --technique newton");
   bool as_json = false;
   line.start_group("Output");
@@ -58,7 +58,7 @@ int command_techniques(const Arguments& arguments) {
                       {"perturbations", perturbation_rows()}};
     print_json(tables);
   } else {
-    print_table();
+    print_tables();
   }
   return exit_ok;
 }

@@ -12,7 +12,7 @@
 namespace pliant::app {
 
 int continue_run(const CommandLine& line, RunSettings& settings) {
-  check_imd(line, settings.imd);
+  settle_imd(line, settings.imd);
   settings.job.is_live = settings.imd.is_asked;
   settle_walkers(settings.job);
   if (settings.imd.is_asked)

@@ -13,19 +13,18 @@ namespace pliant::app {
 
 struct ImdSettings {
   bool is_asked = false;
+  std::string address;  ///< "PORT", "HOST:PORT"; "": the port that is usual
+  std::string host = "127.0.0.1";
   std::int64_t port = 8888;
   std::int64_t version = 3;
-  std::int64_t every = 1;
-  std::string host = "127.0.0.1";
-  double timeout = 10.0;  ///< seconds
   bool wait = false;
-  bool kill = false;
 };
 
 void add_imd_options(CommandLine& line, ImdSettings& settings);
 
-/// Throws OptionError for options out of range, and for those of a server where none is asked for.
-void check_imd(const CommandLine& line, const ImdSettings& settings);
+/// Takes host and port from the address. Throws OptionError for one that is none, and for options
+/// of a server where none is asked for.
+void settle_imd(const CommandLine& line, ImdSettings& settings);
 
 /// A run that clients follow and pull on.
 class LiveRun {

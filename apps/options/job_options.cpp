@@ -101,7 +101,7 @@ void take_member(CommandLine& line, Job& job, const std::string& name, const Jso
   for (const OptionRow<Job>& row : job_rows(job.task)) {
     const OptionFacts& facts = *row.facts;
     known.push_back(facts.name);
-    if (facts.name != name || !facts.users.command) continue;
+    if (facts.name != name || !facts.users.job) continue;
     const std::string option = option_name(facts);
     if (!line.was_given(option)) std::visit(Put{name, file, row.place(job)}, value);
     check_option(facts, row.place(job));
@@ -169,7 +169,7 @@ void take_job_file(CommandLine& line, Job& job, const std::string& file) {
 
 void note_given(const CommandLine& line, Job& job) {
   for (const OptionRow<Job>& row : job_rows(job.task))
-    if (row.facts->users.command && line.was_given(option_name(*row.facts)))
+    if (row.facts->users.job && line.was_given(option_name(*row.facts)))
       job.given.emplace(row.facts->name);
 }
 
@@ -211,7 +211,7 @@ void check_options_again(const CommandLine& line, const Job& given,
   for (const OptionRow<Job>& row : job_rows(given.task)) {
     const OptionFacts& facts = *row.facts;
     const std::string option = option_name(facts);
-    if (!facts.users.command || !line.was_given(option)) continue;
+    if (!facts.users.job || !line.was_given(option)) continue;
     if (!facts.users.again)
       throw OptionError(option + ": does not go with --continue, which adds to " +
                         path_text(recorded.path));

@@ -14,9 +14,9 @@ constexpr std::int64_t most_files = 1'000'000;
 
 // What means something only with, or only without, --test-set.
 constexpr const char* of_one[] = {"CLASS", "--number", "--output", "--overwrite"};
-constexpr const char* of_set[] = {"--classes",    "--graphs",          "--forces", "--force-files",
-                                  "--techniques", "--weightings",      "--force",  "--timestep",
-                                  "--max-sweeps", "--tolerance-length"};
+constexpr const char* of_set[] = {"--class",     "--graphs",     "--forces",
+                                  "--technique", "--weighting",  "--force",
+                                  "--timestep",  "--max-sweeps", "--tolerance-length"};
 
 std::string listed(const std::vector<std::string_view>& names) {
   std::string text;
@@ -51,14 +51,12 @@ void add_set_options(CommandLine& line, StructgenSettings& settings) {
   line.start_group("Test set");
   line.add_text("--test-set", settings.directory, "DIR",
                 "make a test set in this new or empty folder");
-  line.add_names("--classes", set.classes, "all", "classes to make, such as tree,2-cycle-path");
+  line.add_names("--class", set.classes, "all", "classes to make, such as tree,2-cycle-path");
   line.add_integer("--graphs", set.graphs, 1, most_files, "graphs of each class");
   line.add_integer("--forces", set.settings.forces, 1, most_files, "random pushes of each graph");
-  line.add_integer("--force-files", set.force_files, 1, most_files,
-                   "number of files for the pushes of a graph");
-  line.add_names("--techniques", set.techniques, "all orderings",
+  line.add_names("--technique", set.techniques, "all orderings",
                  "techniques to make folders for, in the classes that each can resolve");
-  line.add_reals("--weightings", set.weightings, Range::zero_to_one, "0.5,0.75,1",
+  line.add_reals("--weighting", set.weightings, Range::zero_to_one, "0.5,0.75,1",
                  "weightings of each technique");
 }
 
@@ -80,8 +78,8 @@ std::string footer() {
             std::string(row.summary) + "\n";
   return text +
          "Examples:\n"
-         "  pliant structgen 2-cycle-path -o graph.xml --seed 7 --ring 12\n"
-         "  pliant structgen --test-set tests --graphs 20 --forces 50 --seed 1";
+         "  pliant lab structgen 2-cycle-path -o graph.xml --seed 7 --ring 12\n"
+         "  pliant lab structgen --test-set tests --graphs 20 --forces 50 --seed 1";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of pliant structgen.
+// The options of pliant lab structgen.
 #pragma once
 
 #include <string>

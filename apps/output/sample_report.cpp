@@ -86,13 +86,12 @@ std::vector<Json> numbers(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
-void print_table(const Job& job, const SampledSystem& system, const SampleSummary& summary) {
+void print_all(const Job& job, const SampledSystem& system, const SampleSummary& summary) {
   fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", system.kind,
              system.framework.joint_count(), system.framework.bar_count(), system.contacts);
   const auto conformations = conformations_of(job, system);
-  const std::string network = conformations ? "" : ", network " + job.sample.network;
-  fmt::print("frames          {}{}, sampler {}{}, seed {}\n", summary.frames,
-             job.go_on.empty() ? "" : " added", job.sample.sampler, network, job.sample.seed);
+  fmt::print("frames          {}{}, sampler {}, seed {}\n", summary.frames,
+             job.go_on.empty() ? "" : " added", job.sample.sampler, job.sample.seed);
   conformations ? print_conformations(*conformations) : print_amplitude(system, summary);
   if (const auto residues = pocket_of(job, system); !residues.empty())
     fmt::print("pocket          {} residues: {}\n", residues.size(), listed(residues));
@@ -126,7 +125,6 @@ void print_json_of(const Job& job, const SampledSystem& system, const SampleSumm
                   {"bars", system.framework.bar_count()},
                   {"contacts", system.contacts},
                   {"sampler", job.sample.sampler},
-                  {"network", job.sample.network},
                   {"frames", summary.frames},
                   {"near_frames", summary.near_frames},
                   {"amplitude_asked", summary.amplitude_asked},
@@ -178,7 +176,7 @@ void print_sample(const Printing& printing, const Job& job, const SampledSystem&
   if (printing.json) {
     print_json_of(job, system, summary, warnings);
   } else if (!printing.quiet) {
-    (printing.verbose ? print_table : print_sample_lines)(job, system, summary);
+    (printing.verbose ? print_all : print_sample_lines)(job, system, summary);
   }
 }
 

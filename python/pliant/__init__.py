@@ -72,9 +72,10 @@ if TYPE_CHECKING:
     from pliant.checks.suite import check
     from pliant.jobs.conformers.results import Conformers
     from pliant.jobs.path.found import MolecularPath
+    from pliant.measure.shapes.representatives import Representatives
     from pliant.report.compare.comparison_report import ComparisonReport
     from pliant.report.compare.suite import compare
-    from pliant.report.representatives import Representatives, representatives
+    from pliant.report.representatives import representatives
     from pliant.report.study.studied import Study
     from pliant.report.study.suite import study
     from pliant.report.suite import AnalysisReport, analyse
@@ -164,7 +165,7 @@ __getattr__ = late_names(
         "ComparisonReport": "pliant.report.compare.comparison_report",
         "Conformers": "pliant.jobs.conformers.results",
         "MolecularPath": "pliant.jobs.path.found",
-        "Representatives": "pliant.report.representatives",
+        "Representatives": "pliant.measure.shapes.representatives",
         "Study": "pliant.report.study.studied",
         "analyse": "pliant.report.suite",
         "check": "pliant.checks.suite",

@@ -2,8 +2,8 @@
 """Tries wheels that another machine made: try_made.py WHEELS TRIED
 
 Installs the wheel in the folder WHEELS that fits this Python into an environment of its own, with
-NumPy and h5py alone, runs the demo and the tests that the package brings along, away from the
-sources, and copies the wheel into the folder TRIED. On any system; needs nothing but Python.
+NumPy and h5py alone, samples a helix and runs the tests that the package brings along, away from
+the sources, and copies the wheel into the folder TRIED. On any system; needs nothing but Python.
 """
 
 import os
@@ -42,6 +42,13 @@ def fitting_wheel(python: Path, wheels: Path, folder: Path) -> Path:
     return found
 
 
+def helix_of(python: Path) -> str:
+    """The molecule that the package brings along."""
+    code = "import pliant; print(pliant.__path__[0])"
+    package = subprocess.run([python, "-c", code], check=True, capture_output=True, text=True)
+    return str(Path(package.stdout.strip(), "static", "examples", "peptide_20.pdb"))
+
+
 def try_in(folder: Path, wheels: Path) -> Path:
     """The wheel that was tried."""
     venv.create(folder / "venv", with_pip=True)
@@ -51,7 +58,7 @@ def try_in(folder: Path, wheels: Path) -> Path:
     wheel = fitting_wheel(python, wheels, folder / "wheel")
     run(python, "-m", "pip", "install", "--quiet", "pytest", wheel, folder=folder)
     run(pliant, "--version", folder=folder)
-    run(pliant, "demo", "-o", "demo", "--frames", "50", folder=folder)
+    run(pliant, "sample", helix_of(python), "-o", "ensemble.h5md", folder=folder)
     run(python, "-m", "pytest", "--quiet", "--pyargs", "pliant", folder=folder)
     return wheel
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-COMMANDS = ("info", "run", "sample", "bench", "rigidity", "analyse")
+COMMANDS = ("info", "run", "sample", "lab", "rigidity", "analyse")
 
 
 def shell(name, *words, script):
@@ -54,7 +54,7 @@ def test_bash_completes_commands(command):
         (("sample", "--amp"), ["--amplitude"]),
         (("analyse", "--super"), ["--superpose"]),
         (("analyse", "--out"), ["--output"]),
-        (("bench", "work-precision", "--no-s"), []),
+        (("lab", "bench", "work-precision", "--no-s"), []),
     ],
 )
 def test_bash_completes_options(command, words, options):
@@ -62,8 +62,9 @@ def test_bash_completes_options(command, words, options):
 
 
 def test_bash_completes_subcommands(command):
-    assert in_bash(command, "bench", "thr") == ["throughput"]
-    assert "--sizes" in in_bash(command, "bench", "scaling", "--")
+    assert in_bash(command, "lab", "tech") == ["techniques"]
+    assert in_bash(command, "lab", "bench", "thr") == ["throughput"]
+    assert "--sizes" in in_bash(command, "lab", "bench", "step", "--")
 
 
 def test_every_option_of_a_help_is_offered(command):
@@ -80,7 +81,7 @@ def test_zsh_takes_it(command):
     script = (
         f"PATH={folder}:$PATH; autoload -U compinit && compinit -D; "
         "source <(pliant --completion zsh) && _pliant_options pliant run; "
-        "print -l ${_comps[pliant]}; _pliant_subcommands pliant bench"
+        "print -l ${_comps[pliant]}; _pliant_subcommands pliant lab bench"
     )
     said = shell("zsh", "-f", "-c", script=script).split()
     assert {"--max-sweeps", "_pliant", "throughput"} <= set(said)
@@ -90,7 +91,8 @@ def test_fish_completes(command):
     folder = Path(command).parent
     script = (
         f"set -x PATH {folder} $PATH; pliant --completion fish | source; "
-        'complete -C "pliant ru"; complete -C "pliant run --max-s"; complete -C "pliant bench thr"'
+        'complete -C "pliant ru"; complete -C "pliant run --max-s"; '
+        'complete -C "pliant lab bench thr"'
     )
     said = [line.split("\t")[0] for line in shell("fish", "-c", script=script).splitlines()]
     assert said == ["run", "--max-sweeps", "throughput"]

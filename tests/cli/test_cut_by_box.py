@@ -105,7 +105,7 @@ def test_check_makes_its_start_whole_and_says_so(pliant, cut):
     pytest.importorskip("openmm")
     cut()
     assert pliant("sample", PEPTIDE, "--frames", "2", "-o", "out.h5md").code == 0
-    few = ("--frames", "2", "--starts", "1", "--long-starts", "0", "--md-steps", "0")
-    ended = pliant("check", "out.h5md", "--start", "cut.pdb", "--no-picture", *few)
+    few = ("--frames", "2", "--starts", "1")
+    ended = pliant("check", "out.h5md", "--reference", "cut.pdb", *few)
     assert ended.code == 0, ended.err
     assert f"note: {WHOLE}" in ended.err

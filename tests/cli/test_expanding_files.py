@@ -27,9 +27,9 @@ COMMANDS = {
     "check": ["check", "BAD"],
     "compare ours": ["compare", "BAD", "good.h5md"],
     "compare theirs": ["compare", "good.h5md", "BAD"],
-    "representatives": ["representatives", "BAD", "-k", "2", "-o", "few.pdb"],
+    "representatives": ["convert", "BAD", "-k", "2", "-o", "few.pdb"],
     "continue": ["run", "--continue", "BAD", "--steps", "9"],
-    "recover": ["recover", "BAD", "-o", "saved.h5md"],
+    "recover": ["convert", "BAD", "-o", "saved.h5md", "--recover"],
 }
 
 

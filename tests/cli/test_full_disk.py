@@ -41,25 +41,24 @@ PARTS = "out/parts/"  #: of an experiment, which goes on with them
 #: the commands: what they are told, and what they write; {} is a trajectory of 21 frames
 IN_PYTHON = [
     *((f"convert {{}} -o o.{ending} --overwrite", [f"o.{ending}"]) for ending in CONVERTED),
-    ("representatives {} -k 20 -o o.pdb --overwrite", ["o.pdb"]),
-    ("recover {} -o o.h5md --overwrite", ["o.h5md"]),
+    ("convert {} -k 20 -o o.pdb --overwrite", ["o.pdb"]),
+    ("convert {} --recover -o o.h5md --overwrite", ["o.h5md"]),
 ]
 #: of each library one
-CHEAP = (".sdf", ".dcd", ".xyz", ".cif", "representatives", "recover")
+CHEAP = (".sdf", ".dcd", ".xyz", ".cif", "-k 20", "--recover")
 
 LONG_IN_PYTHON = [
     ("analyse {} -o out", ["out/report.html", "out/frames.csv", "out/ensemble.pdb"]),
     ("convert {} -o o.zarr --overwrite", ["o.zarr"]),
     (f"path {HELIX} {{folder}}/end.pdb -o o.h5md --csv o.csv --overwrite", ["o.h5md", "o.csv"]),
-    ("demo -o out --frames 20 --overwrite", ["out/ensemble.h5md", "out/peptide_20.pdb"]),
     ("compare {folder}/helix.h5md {folder}/models.pdb -o out", ["out/helix.compare.png"]),
     ("check {folder}/helix.h5md --frames 2 -o out", ["out/helix.check.png"]),
     (
-        "bench step --sizes 1e2 --steps 10 --rounds 1 --kinds chain --techniques bfs_cycle "
+        "lab bench step --sizes 1e2 --steps 10 --repeats 1 --kinds chain --technique bfs_cycle "
         "--csv o.csv",
         ["o.csv"],
     ),
-    ("experiment -o out --graphs 1 --class tree --forces 2", ["out/table.csv", "out/table.h5"]),
+    ("lab experiment -o out --graphs 1 --class tree --forces 2", ["out/table.csv", "out/table.h5"]),
     (f"study {HELIX} -o out --overwrite", ["out/report.html", "out/representatives.pdb"]),
 ]
 
@@ -72,9 +71,9 @@ IN_CPP = [
     ),
     (f"sample {DIPEPTIDE} --frames 20 -o o.h5md --overwrite", ["o.h5md", "o.pdb"]),
     (f"sample {DIPEPTIDE} --frames 20 -o o.pdb --overwrite", ["o.pdb"]),
-    (f"order {DIPEPTIDE} -o o.txt --overwrite", ["o.txt"]),
-    (f"forcegen {DIPEPTIDE} --count 500 -o o.txt --overwrite", ["o.txt"]),
-    ("structgen tree -o o.xml --overwrite", ["o.xml"]),
+    (f"lab order {DIPEPTIDE} -o o.txt --overwrite", ["o.txt"]),
+    (f"lab forcegen {DIPEPTIDE} --steps 500 -o o.txt --overwrite", ["o.txt"]),
+    ("lab structgen tree -o o.xml --overwrite", ["o.xml"]),
     (f"rigidity {HELIX} -o out --overwrite", ["out/residues.csv", "out/show.pml"]),
 ]
 
@@ -101,7 +100,8 @@ def others(command, trajectory):
 
 def in_python(words, folder, limit):
     """Exit code, and what is said, of a command whose files are limited."""
-    job = (*forked.commands()[words[0]], words[1:], limit)
+    name, rest = forked.called(words)
+    job = (*forked.commands()[name], rest, limit)
     ended = forked.ended_code(LIMITED.format(what=job), *forked.HEAVY, cwd=folder)
     assert ended.returncode == 0, ended.stderr
     return json.loads(ended.stdout.splitlines()[-1])
@@ -187,7 +187,7 @@ def test_outputs_of_commands_in_cpp(command, tmp_path, words, outputs):
     check_outputs(lambda folder, limit: in_cpp(command, given, folder, limit), outputs, tmp_path)
 
 
-@pytest.mark.parametrize("words", ["techniques", "convert {} -o {}.xyz"])
+@pytest.mark.parametrize("words", ["lab techniques", "convert {} -o {}.xyz"])
 def test_standard_output_is_named(command, trajectory, words):
     words = [command, *words.format(trajectory, trajectory).split()]
     with open("/dev/full", "w") as full:

@@ -93,7 +93,7 @@ def test_recorded_forces_replace_nothing_unless_asked(pliant, ethanol, tmp_path)
 
 
 def test_generated_forces_are_those_of_a_run(pliant, ethanol, tmp_path):
-    ended = pliant("forcegen", ethanol, "--count", 20, "--force", 80, "--seed", 4)
+    ended = pliant("lab", "forcegen", ethanol, "--steps", 20, "--force", 80, "--seed", 4)
     assert (ended.code, ended.out) == (0, "20 pushes in ethanol-forces.txt\n")
     run = ("run", ethanol, "--seed", 4, "--force", 80)
     assert pliant(*run, "--steps", 20, "-o", "1.h5md").code == 0
@@ -102,7 +102,7 @@ def test_generated_forces_are_those_of_a_run(pliant, ethanol, tmp_path):
 
 
 def test_generated_forces_as_json(pliant, ethanol):
-    report = json.loads(pliant("forcegen", ethanol, "-o", "f.txt", "--json").out)
+    report = json.loads(pliant("lab", "forcegen", ethanol, "-o", "f.txt", "--json").out)
     assert report == {
         "input": str(ethanol),
         "output": "f.txt",
@@ -115,21 +115,21 @@ def test_generated_forces_as_json(pliant, ethanol):
 @pytest.mark.parametrize("command", ["forcegen", "order"])
 def test_files_are_not_replaced_unless_asked(pliant, ethanol, tmp_path, command):
     (tmp_path / "out.txt").write_text("mine")
-    ended = pliant(command, ethanol, "-o", "out.txt")
+    ended = pliant("lab", command, ethanol, "-o", "out.txt")
     assert ended.code == 1
     assert "out.txt: exists already" in ended.err
     assert (tmp_path / "out.txt").read_text() == "mine"
-    assert pliant(command, ethanol, "-o", "out.txt", "--overwrite").code == 0
+    assert pliant("lab", command, ethanol, "-o", "out.txt", "--overwrite").code == 0
     assert (tmp_path / "out.txt").read_text().startswith("pliant-")
-    assert "is both input and output" in pliant(command, ethanol, "-o", ethanol).err
+    assert "is both input and output" in pliant("lab", command, ethanol, "-o", ethanol).err
 
 
 def test_an_ordering_is_printed_bar_by_bar(pliant, triangle):
-    ended = pliant("order", triangle, "--ordering", "dfs_cycle", "--root", "b")
+    ended = pliant("lab", "order", triangle, "--ordering", "dfs_cycle", "--root", "b")
     assert ended.out == (
         "pliant-ordering 1\nbar b a tree\nbar a c tree\nbar b c non_tree\nbar c d tree\n"
     )
-    bars = json.loads(pliant("order", triangle, "--ordering", "input", "--json").out)["bars"]
+    bars = json.loads(pliant("lab", "order", triangle, "--ordering", "input", "--json").out)["bars"]
     assert [(bar["near"], bar["far"], bar["is_tree"]) for bar in bars] == [
         (0, 1, True),
         (1, 2, True),
@@ -139,7 +139,7 @@ def test_an_ordering_is_printed_bar_by_bar(pliant, triangle):
 
 
 def test_an_ordering_that_leaves_bars_out_is_refused(pliant, triangle):
-    ended = pliant("order", triangle, "--ordering", "bfs_tree")
+    ended = pliant("lab", "order", triangle, "--ordering", "bfs_tree")
     assert (ended.code, ended.err) == (1, "pliant: error: ordering file: bar b - c is missing\n")
 
 
@@ -147,7 +147,7 @@ def test_a_run_with_an_ordering_file_is_that_of_its_technique(pliant, triangle, 
     """One push on the root from which the file was made, so that both see the same ordering."""
     (tmp_path / "f.txt").write_text("pliant-forces 3\npush c 40 0 30\n")
     settings = ("--timestep", 0.01, "--tolerance-length", 1e-6, "--max-sweeps", 1000)
-    assert pliant("order", triangle, "--root", "c", "-o", "o.txt").code == 0
+    assert pliant("lab", "order", triangle, "--root", "c", "-o", "o.txt").code == 0
     run = ("run", triangle, "--forces", "f.txt", "--weighting", 0.75, *settings)
     assert pliant(*run, "--ordering", "o.txt", "-o", "1.h5md").code == 0
     assert pliant(*run, "--technique", "bfs_cycle", "-o", "2.h5md").code == 0
@@ -181,7 +181,7 @@ def test_an_ordering_file_goes_with_no_other_technique(pliant, triangle, tmp_pat
 
 
 def test_one_graph_of_a_class(pliant, tmp_path):
-    made = pliant("structgen", "2-cycle-tree", "--seed", 7, "--ring", 12, "--json")
+    made = pliant("lab", "structgen", "2-cycle-tree", "--seed", 7, "--ring", 12, "--json")
     report = json.loads(made.out)
     assert (report["cycles"], report["output"]) == (2, "2-cycle-tree.xml")
     seen = json.loads(pliant("info", "2-cycle-tree.xml", "--json").out)
@@ -192,26 +192,26 @@ def test_one_graph_of_a_class(pliant, tmp_path):
         1,
     )
     before = (tmp_path / "2-cycle-tree.xml").read_bytes()
-    refused = pliant("structgen", "2-cycle-tree", "--seed", 8)
+    refused = pliant("lab", "structgen", "2-cycle-tree", "--seed", 8)
     assert refused.code == 1
     assert "2-cycle-tree.xml: exists already" in refused.err
     assert (tmp_path / "2-cycle-tree.xml").read_bytes() == before
-    pliant("structgen", "2-cycle-tree", "--seed", 8, "--overwrite")
+    pliant("lab", "structgen", "2-cycle-tree", "--seed", 8, "--overwrite")
     assert (tmp_path / "2-cycle-tree.xml").read_bytes() != before
 
 
 def test_a_generated_graph_runs_records_and_replays(pliant, tmp_path):
-    assert pliant("structgen", "2-cycle-path", "-o", "g.xml").code == 0
-    assert pliant("forcegen", "g.xml", "-o", "f.txt", "--count", 12, "--force", 90).code == 0
+    assert pliant("lab", "structgen", "2-cycle-path", "-o", "g.xml").code == 0
+    assert pliant("lab", "forcegen", "g.xml", "-o", "f.txt", "--steps", 12, "--force", 90).code == 0
     ended = pliant("run", "g.xml", "--forces", "f.txt", "--record-forces", "back.txt", "--json")
     assert (ended.code, json.loads(ended.out)["steps"]) == (0, 12)
     assert (tmp_path / "back.txt").read_text() == (tmp_path / "f.txt").read_text()
 
 
 def test_a_test_set_reruns_to_what_its_graphs_and_forces_say(pliant, tmp_path):
-    words = "--classes tree,1-cycle-bar --graphs 3 --forces 4 --seed 2 --techniques bfs_cycle"
-    words += " --weightings 0.5,1 --json"
-    made = pliant("structgen", "--test-set", "set", *words.split())
+    words = "--class tree,1-cycle-bar --graphs 3 --forces 4 --seed 2 --technique bfs_cycle"
+    words += " --weighting 0.5,1 --json"
+    made = pliant("lab", "structgen", "--test-set", "set", *words.split())
     assert made.code == 0
     assert json.loads(made.out)["classes"] == [
         {"name": name, "graphs": 3, "heuristics": ["bfs_cycle-0.5", "bfs_cycle-1"]}
@@ -219,7 +219,7 @@ def test_a_test_set_reruns_to_what_its_graphs_and_forces_say(pliant, tmp_path):
     ]
     # A graph of the set is the graph of that number, its forces are those of forcegen.
     graph = tmp_path / "set/1-cycle-bar/graph-002"
-    pliant("structgen", "1-cycle-bar", "--seed", 2, "--number", 2, "-o", "g.xml")
+    pliant("lab", "structgen", "1-cycle-bar", "--seed", 2, "--number", 2, "-o", "g.xml")
     assert (tmp_path / "g.xml").read_bytes() == (graph / "graph.xml").read_bytes()
     forces = graph / "heuristics/forces/forces-0.txt"
     words = ["--forces", forces, "--ordering", graph / "ordering.txt", "-o", "o.h5md"]
@@ -236,16 +236,15 @@ def test_a_test_set_reruns_to_what_its_graphs_and_forces_say(pliant, tmp_path):
         (("tree", "--graphs", 2), "--graphs: goes with --test-set alone"),
         (("tree", "--ring", 2), '--ring: expected a whole number from 3, found "2"'),
         (
-            ("--test-set", "x", "--weightings", "0.5,nan"),
-            '--weightings: expected a number from 0 to 1, found "nan"',
+            ("--test-set", "x", "--weighting", "0.5,nan"),
+            '--weighting: expected a number from 0 to 1, found "nan"',
         ),
-        (("--test-set", "x", "--techniques", "bfs"), 'no technique named "bfs"'),
-        (("--test-set", "x", "--classes", "tree,tree"), "classes: tree is given twice"),
-        (("--test-set", "x", "--force-files", 51), "force_files = 51: must be at most the forces"),
+        (("--test-set", "x", "--technique", "bfs"), 'no technique named "bfs"'),
+        (("--test-set", "x", "--class", "tree,tree"), "classes: tree is given twice"),
     ],
 )
 def test_options_of_structgen_are_checked(pliant, tmp_path, arguments, message):
-    ended = pliant("structgen", *arguments)
+    ended = pliant("lab", "structgen", *arguments)
     assert ended.code == 2
     assert message in ended.err
     assert list(tmp_path.iterdir()) == []

@@ -25,10 +25,25 @@ def test_unknown_command_suggests_the_nearest(pliant):
     assert ended.code == 2
     assert ended.err == (
         'pliant: no command named "inffo" (did you mean "info"?); '
-        "known: study, sample, conformers, analyse, rigidity, demo, path, run, representatives, "
-        "compare, check, ensemble, play, watch, info, contacts, convert, recover, techniques, "
-        "order, forcegen, bench, experiment, structgen\n"
+        "known: study, sample, conformers, analyse, rigidity, path, run, compare, check, ensemble, "
+        "play, watch, info, contacts, convert, lab\n"
     )
+
+
+def test_a_name_of_before_says_what_does_its_work_now(pliant):
+    for old, now in (("demo", "pliant study --demo"), ("bench", "pliant lab bench")):
+        ended = pliant(old, "--help")
+        assert (ended.code, ended.err) == (2, f"pliant: error: {old}: is {now} now\n")
+
+
+def test_the_laboratory_knows_its_commands(pliant):
+    ended = pliant("lab", "tecniques")
+    assert ended.code == 2
+    assert ended.err == (
+        'pliant: error: no command of pliant lab named "tecniques" (did you mean "techniques"?); '
+        "known: bench, experiment, structgen, forcegen, order, techniques\n"
+    )
+    assert pliant("lab").code == 2
 
 
 def test_a_program_on_path_is_a_command(pliant, tmp_path):

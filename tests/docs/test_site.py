@@ -70,7 +70,7 @@ def test_every_command_has_a_section():
     assert len(re.findall("^## pliant", page, re.MULTILINE)) == len(
         list(help_texts.TEXTS.glob("*.help.txt"))
     )
-    assert "\n## pliant bench work-precision\n" in page
+    assert "\n## pliant lab bench work-precision\n" in page
 
 
 def test_every_public_name_of_python_is_in_the_reference():

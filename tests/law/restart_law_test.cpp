@@ -151,7 +151,7 @@ TEST_P(ContinueLaw, ThreePartsAreTheWhole) {
     const std::string& perturb = perturbations[count % perturbations.size()];
     SCOPED_TRACE(perturb);
     RunOptions options = options_of(example.framework, perturb);
-    const H5mdOptions recording{.single = perturb == "force_all"};
+    const H5mdOptions recording{.precision = perturb == "force_all" ? 0.01 : 0.0};
     const auto whole = directory / ("whole-" + std::to_string(count));
     const auto parts = directory / ("parts-" + std::to_string(count));
     const State start(example.positions);

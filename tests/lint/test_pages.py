@@ -35,6 +35,12 @@ def known_commands():
     return [name for names in groups_of_help().values() for name in names]
 
 
+def laboratory():
+    """All of pliant lab --help."""
+    rows = (HELP / "pliant-lab.help.txt").read_text().split("subcommands:\n")[1].split("\n\n")[0]
+    return re.findall(r"^  ([a-z]+)  ", rows, re.MULTILINE)
+
+
 def table_of(name):
     """A table of pyproject.toml: its keys."""
     text = (ROOT / "pyproject.toml").read_text().split(f"\n[{name}]\n")[1].split("\n[")[0]
@@ -52,13 +58,15 @@ def test_help_and_page_list_the_same_commands_in_the_same_groups():
 
 def test_every_program_is_a_command_and_every_command_a_program():
     declared = re.findall(r"int command_(\w+)\(", (ROOT / "apps" / "command.hpp").read_text())
-    scripts = {name.removeprefix("pliant-") for name in table_of("project.scripts")}
-    assert sorted(known_commands()) == sorted({*declared, *scripts} - CALLED_BY_OTHERS)
+    scripts = {re.sub("^pliant-(lab-)?", "", name) for name in table_of("project.scripts")}
+    known = [*known_commands(), *laboratory()]
+    assert sorted(known) == sorted({*declared, *scripts} - CALLED_BY_OTHERS)
 
 
 def test_every_command_has_a_help_text():
     texts = {path.name for path in HELP.glob("*.help.txt")}
-    assert {f"pliant-{name}.help.txt" for name in known_commands()} <= texts
+    names = [*known_commands(), *(f"lab-{name}" for name in laboratory())]
+    assert {f"pliant-{name}.help.txt" for name in names} <= texts
 
 
 def test_readme_names_commands_that_are_there():

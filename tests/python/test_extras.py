@@ -114,16 +114,16 @@ def commands():
         ("analyse", ["{file}"], "MDAnalysis", "MDAnalysis", "analysis"),
         ("analyse", ["{file}"], "matplotlib", "matplotlib", "plot"),
         ("check", ["{file}"], "openmm", "OpenMM", "openmm"),
-        ("check", ["{file}"], "matplotlib", "matplotlib", "plot"),
+        ("check", ["{file}", "-o", "x"], "matplotlib", "matplotlib", "plot"),
         ("compare", ["{file}", "{file}"], "MDAnalysis", "MDAnalysis", "analysis"),
-        ("bench", ["work-precision", str(CAFFEINE)], "scipy", "SciPy", "lab"),
-        ("bench", ["work-precision", str(CAFFEINE)], "openmm", "OpenMM", "lab"),
-        ("bench", ["work-precision", str(CAFFEINE), "-o", "x.png"], "matplotlib", "matplotlib",
+        ("lab-bench", ["work-precision", str(CAFFEINE)], "scipy", "SciPy", "lab"),
+        ("lab-bench", ["work-precision", str(CAFFEINE)], "openmm", "OpenMM", "lab"),
+        ("lab-bench", ["work-precision", str(CAFFEINE), "-o", "x.png"], "matplotlib", "matplotlib",
          "lab"),
         ("ensemble", [str(CAFFEINE), "-o", "x", "--walkers", "2"], "distributed",
          "dask.distributed", "ensemble"),
-        ("bench", ["scaling"], "scipy", "SciPy", "lab"),
-        ("bench", ["stress"], "openmm", "OpenMM", "lab"),
+        ("lab-bench", ["scaling"], "scipy", "SciPy", "lab"),
+        ("lab-bench", ["stress"], "openmm", "OpenMM", "lab"),
         ("play", ["--connect", ":8888", str(CAFFEINE)], "websockets", "websockets", "play"),
         ("experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
     ]  # fmt: skip  # a table: a row a line
@@ -161,7 +161,7 @@ def test_help_needs_none(command):
 
 
 def test_a_check_is_reported_without_rich_and_matplotlib(trajectory, tmp_path):
-    words = [str(trajectory), "--no-picture", "--json"]
+    words = [str(trajectory), "--json"]
     code = f"from pliant.checks.command import main\nsys.exit(main({words!r}))"
     ended = run_without(code, "MDAnalysis", "matplotlib", "rdkit", "rich", "scipy")
     assert ended.stderr == ""

@@ -33,7 +33,6 @@ int serve(const std::vector<std::string>& words) {
   ImdOptions options;
   options.port = 0;
   options.wait = true;
-  options.kill = true;
   options.version = std::stoi(words[3]);
   options.swapped = words.size() > 4 && words[4] == "swapped";
   const std::chrono::milliseconds patience = std::chrono::minutes(15);  // what reads may be slow

@@ -66,7 +66,6 @@ nb::object part_from(nb::handle argument, const AskedModel& asked) {
   const InputOptions &input = asked.input, usual;
   nb::dict reading;
   if (!input.assembly.empty()) reading["assembly"] = input.assembly;
-  if (!input.format.empty()) reading["format"] = input.format;
   if (input.frame != usual.frame) reading["model"] = input.frame;
   if (input.max_input != usual.max_input) reading["max_input"] = input.max_input * 1'000'000;
   if (!input.distance_bonds) reading["distance_bonds"] = false;

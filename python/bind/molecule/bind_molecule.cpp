@@ -88,12 +88,10 @@ Structure read_text(std::string_view text, std::string_view name, std::int64_t m
 }
 
 Framework framework_of(const Structure& structure, const std::filesystem::path& bars,
-                       const std::string& lengths, const std::string& pin, bool use_masses) {
+                       const std::string& pin, bool use_masses) {
   BuildOptions options;
-  options.lengths = choose(length_choices, "source of lengths", lengths).source;
   options.pin = pin;
   options.use_masses = use_masses;
-  options.log = python_log();
   const nb::gil_scoped_release no_gil;
   take_bars(path_text(bars), structure, options);
   return build_framework(structure, options);
@@ -107,8 +105,6 @@ bars : str or path
     ``bonds``: a bar for each bond; ``angles``: and for each pair of atoms bonded to one atom, and
     across the torsions of planar groups;
     ``none``; else the path of a bars file, which states bars, limits and sterics.
-lengths : str
-    ``geometry``: the distances at ``positions``; ``table``: standard lengths by elements and order.
 pin : str
     Selection of atoms that never move, in the words of MDAnalysis: ``"resid 3-8 and name CA"``.
 use_masses : bool
@@ -208,8 +204,8 @@ void bind_molecule(nb::module_& module) {
            "bonds.\n\nThe larger part of each stays, as do positions where no bond is cut. True if "
            "any was moved.")
       .def("select", &select, "selection"_a, select_doc)
-      .def("framework", &framework_of, "bars"_a = "bonds", "lengths"_a = "geometry", "pin"_a = "",
-           nb::kw_only(), "use_masses"_a = true, framework_doc);
+      .def("framework", &framework_of, "bars"_a = "bonds", "pin"_a = "", nb::kw_only(),
+           "use_masses"_a = true, framework_doc);
   module.def(
       "read", &read, "path"_a, "model"_a = 1, "format"_a = nb::none(), nb::kw_only(),
       "perceive_bonds"_a = true, "distance_bonds"_a = true,

@@ -38,7 +38,7 @@ nb::object start_of(const AskedPath& self, nb::handle molecule) {
 /// What says which part of a file it is, is of the start alone; the end is matched to it.
 nb::object end_of(const AskedPath& self, nb::handle molecule) {
   AskedModel asked = self.molecule;
-  asked.input.format = asked.input.select = "";
+  asked.input.select = "";
   asked.input.frame = 1;
   return part_from(molecule, asked);
 }

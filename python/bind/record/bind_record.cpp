@@ -21,18 +21,15 @@ namespace {
 
 void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    const Framework& framework, const Structure* structure,
-                   const nb::dict& parameters, bool single, bool compress, double precision,
-                   const std::string& save, bool overwrite, double flush_seconds, bool durable) {
+                   const nb::dict& parameters, double precision, const std::string& save,
+                   bool overwrite, double flush_seconds) {
   H5mdHeader header = structure != nullptr ? molecule_header(*structure) : H5mdHeader();
   header.creator_version = version();
   header.parameters = parameters_from(parameters);
-  const H5mdOptions options{.single = single,
-                            .compress = compress,
-                            .precision = precision,
+  const H5mdOptions options{.precision = precision,
                             .saved = select_joints(framework, save, "save"),
                             .overwrite = overwrite,
                             .flush_seconds = flush_seconds,
-                            .durable = durable,
                             .log = unraisable_python_log()};
   const nb::gil_scoped_release no_gil;
   new (self) LockedRecorder(path, framework, header, options);
@@ -62,10 +59,6 @@ structure : Structure, optional
     Its bonds and masses are recorded too.
 parameters : dict of str to bool, int, float or str
     Values below /parameters, by path: ``{"run/seed": 5}``.
-single : bool
-    Positions as 32-bit floats.
-compress : bool
-    Shuffle and gzip positions.
 precision : float
     Round positions, by half of this at most (Angstrom), and compress them; 0: do not round.
 save : str
@@ -75,8 +68,6 @@ overwrite : bool
     Replace an existing file.
 flush_seconds : float
     Seconds between commits of frames; 0: commit each frame.
-durable : bool
-    Wait for the disk with each commit, so that frames survive a power cut.
 
 Raises
 ------
@@ -93,9 +84,8 @@ void bind_record(nb::module_& module) {
   bind_topology(module);
   nb::class_<LockedRecorder>(module, "H5mdRecorder", recorder_doc)
       .def("__init__", &make_recorder, "path"_a, "framework"_a, nb::kw_only(),
-           "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,
-           "compress"_a = false, "precision"_a = 0.0, "save"_a = "", "overwrite"_a = false,
-           "flush_seconds"_a = 1.0, "durable"_a = false)
+           "structure"_a = nb::none(), "parameters"_a = nb::dict(), "precision"_a = 0.0,
+           "save"_a = "", "overwrite"_a = false, "flush_seconds"_a = 1.0)
       .def("record", &record, "frame"_a,
            "Adds a frame, which must come after the last one and have finite positions and time.\n"
            "Raises FileError once the recorder is closed.")

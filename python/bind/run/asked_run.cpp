@@ -63,7 +63,7 @@ AskedRun open_structure(nb::handle source, nb::handle structure, Job& job) {
   const BarsAsked& bars = job.molecule.bars;
   nb::object part = nb::module_::import_("pliant.trajectory.sources")
                         .attr("part_of")(source, job.molecule.input.select);
-  nb::object framework = part.attr("framework")(bars_of(job.molecule), bars.lengths, bars.pin);
+  nb::object framework = part.attr("framework")(bars_of(job.molecule), bars.pin);
   return {std::move(framework), std::move(part), nb::none(), false};
 }
 

@@ -193,8 +193,8 @@ KeyboardInterrupt is raised.
 Parameters
 ----------
 framework : Framework, Structure, path, Universe, AtomGroup, rdkit.Chem.Mol, ...
-    A framework, or a molecule as ``sample`` takes it, whose framework is built with ``bars``,
-    ``lengths`` and ``pin``. A file is read as the command does: a molecule with the bonds that it
+    A framework, or a molecule as ``sample`` takes it, whose framework is built with ``bars``
+    and ``pin``. A file is read as the command does: a molecule with the bonds that it
     lacks perceived, or graph XML.
 state : State or (N, 3) Angstrom, optional
     Where to start. A State is changed in place; positions are copied. Default: those of the
@@ -284,7 +284,7 @@ steps : int, optional
 observers : callables
     As for ``run``. They see each frame from the last checkpoint on, about a second before the end
     of a run that was killed.
-flush_seconds, durable
+flush_seconds : float
     As for ``H5mdRecorder``.
 
 Returns
@@ -352,13 +352,12 @@ void bind_run(nb::module_& module) {
                of_moves + ") -> list[RunSummary]")
                   .c_str()),
       (doc_of_ensemble + argument_docs_of_moves() + doc_of_summaries).c_str());
-  module.def(
-      "continue_run", &continue_from, "path"_a, "steps"_a = nb::none(), "options"_a,
-      nb::sig((std::string("def continue_run(path: str | os.PathLike[str], steps: int | "
-                           "None = None, *, observers: ") +
-               observers_type + ", flush_seconds: float = 1.0, durable: bool = False) -> RunResult")
-                  .c_str()),
-      continue_doc);
+  module.def("continue_run", &continue_from, "path"_a, "steps"_a = nb::none(), "options"_a,
+             nb::sig((std::string("def continue_run(path: str | os.PathLike[str], steps: int | "
+                                  "None = None, *, observers: ") +
+                      observers_type + ", flush_seconds: float = 1.0) -> RunResult")
+                         .c_str()),
+             continue_doc);
 }
 
 }  // namespace pliant::python

@@ -166,7 +166,7 @@ frames : int, optional
     asked for.
 threads : int
     From 1; changes no result. Default: all cores.
-flush_seconds, durable
+flush_seconds : float
     As for ``H5mdRecorder``.
 
 Returns
@@ -260,8 +260,8 @@ void bind_sample(nb::module_& module) {
   bind_sample_function(module);
   module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), "options"_a,
              nb::sig("def continue_sample(path: str | os.PathLike[str], frames: int | None = None, "
-                     "*, threads: int | None = None, flush_seconds: float = 1.0, "
-                     "durable: bool = False) -> SampleResult"),
+                     "*, threads: int | None = None, flush_seconds: float = 1.0) -> "
+                     "SampleResult"),
              continue_doc);
 }
 

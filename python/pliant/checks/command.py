@@ -29,12 +29,11 @@ examples:
   pliant check out.h5md
   pliant check ensemble.h5md --thorough
   pliant check out.h5md --frames all --json > check.json
-  pliant check ensemble.h5md --thorough --starts 50 --md-steps 2500
   pliant check ensemble.h5md --no-force-field
 """
 
 #: options that --help shows
-COMMON = ("--thorough", "--frames", "--output", "--force-field", "--no-picture")
+COMMON = ("--thorough", "--frames", "--output", "--force-field")
 
 
 def make_parser() -> console.Parser:
@@ -56,18 +55,8 @@ def make_parser() -> console.Parser:
     add("file", metavar="FILE", help="H5MD trajectory of pliant run or pliant sample")
     text = "number of frames given to OpenMM, evenly spaced, or all (default 20)"
     add("--frames", metavar="N", type=console.whole_number(1, "all"), default=20, help=text)
-    sizes = "0.01,0.03,0.1,0.3"
-    text = f"standard deviations of the displacements that break frames, Angstrom (default {sizes})"
-    numbers = console.positive_numbers
-    add("--break", dest="displacements", metavar="A,A,...", type=numbers, default=sizes, help=text)
-    text = "seed of the displacements (default 0)"
-    add("--seed", metavar="N", type=console.whole_number(0), default=0, help=text)
-    text = "give up on an OpenMM job after this many seconds (default 300)"
-    add("--time-limit", metavar="S", type=console.positive_number, default=300.0, help=text)
     _add_force_field(parser)
-    text = "folder for the picture (default: that of the trajectory)"
-    add("-o", "--output", metavar="FOLDER", type=pathlib.Path, help=text)
-    add("--no-picture", action="store_true", help="draw no picture")
+    add("-o", "--output", metavar="FOLDER", help="draw a picture into this folder")
     add("--json", action="store_true", help="print the report as one JSON object")
     add("--quiet", action="store_true", help="show no progress")
     return parser
@@ -84,17 +73,8 @@ def _add_force_field(parser: console.Parser) -> None:
         "else 3; 20 with --thorough)"
     )
     add("--starts", metavar="N", type=console.whole_number(1, "all"), help=text)
-    text = "how many of these are minimised for 500 steps (default 0; 3 with --thorough)"
-    add("--long-starts", metavar="N", type=console.whole_number(0), help=text)
-    text = (
-        "steps of 4 fs of MD at 300 K from the start, whose frames are minimised too; 0 for none "
-        "(default 0; 250 with --thorough)"
-    )
-    add("--md-steps", metavar="N", type=console.whole_number(0), help=text)
     text = "structure that the ensemble began with (default: the PDB beside it)"
-    add("--start", metavar="FILE", help=text)
-    text = "stop minimising after this many seconds, and say what is missing (default 1200)"
-    add("--total-limit", metavar="S", type=console.positive_number, default=1200.0, help=text)
+    add("--reference", metavar="FILE", help=text)
 
 
 def main(words: Sequence[str] | None = None) -> int:
@@ -111,17 +91,11 @@ def _check(arguments: argparse.Namespace) -> int:
         report = check(
             arguments.file,
             frames=arguments.frames,
-            displacements=arguments.displacements,
-            seed=arguments.seed,
-            time_limit=arguments.time_limit,
             force_field=arguments.force_field,
             thorough=arguments.thorough,
             starts=arguments.starts,
-            long_starts=arguments.long_starts,
-            md_steps=arguments.md_steps,
-            start=arguments.start,
-            total_limit=arguments.total_limit,
-            picture=None if arguments.no_picture else _picture_path(arguments),
+            start=arguments.reference,
+            picture=_picture_path(arguments),
             quiet=arguments.quiet or arguments.json,
         )
     if arguments.json:
@@ -131,9 +105,10 @@ def _check(arguments: argparse.Namespace) -> int:
     return console.EXIT_OK if report.passed else console.EXIT_FAILED
 
 
-def _picture_path(arguments: argparse.Namespace) -> pathlib.Path:
-    trajectory = pathlib.Path(arguments.file)
-    return (arguments.output or trajectory.parent) / f"{trajectory.stem}.check.png"
+def _picture_path(arguments: argparse.Namespace) -> pathlib.Path | None:
+    if arguments.output is None:
+        return None
+    return pathlib.Path(arguments.output, f"{pathlib.Path(arguments.file).stem}.check.png")
 
 
 if __name__ == "__main__":

@@ -46,7 +46,8 @@ examples:
   pliant analyse adk.h5md -o adk-report --select "not name H*"
   pliant analyse adk.h5md --distance "resid 55" "resid 169"
   pliant sample adk.pdb --sampler reach -o far.h5md && pliant analyse far.h5md
-  pliant analyse run.xtc --topology run.pdb --superpose "name CA"
+  pliant analyse run.xtc --topology run.pdb --superpose "name CA" --frames 100::10
+  pliant analyse out.h5md --superpose "name CA and resid 8:14 80:90" --representatives 10
   pliant analyse many --workers 2          the folder of pliant ensemble
 
 For the folder of pliant ensemble, which may be larger than memory, it reports the flexibility of
@@ -60,7 +61,7 @@ Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, o
 1 the input cannot be read, 2 wrong usage."""
 
 #: options that --help shows
-COMMON = ("--output", "--topology", "--select", "--superpose", "--distance")
+COMMON = ("--output", "--topology", "--select", "--superpose", "--distance", "--representatives")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -97,7 +98,6 @@ def _add_choice_of_atoms(add: Callable[..., object]) -> None:
         help="atoms to superpose, also used for the PCA (default: CA and P atoms if they form "
         "chains, else all but hydrogens)",
     )
-    add("--hydrogens", action="store_true", help="include torsions that turn hydrogens only")
     add(
         "--reference",
         metavar="FILE",
@@ -110,14 +110,29 @@ def _add_choice_of_atoms(add: Callable[..., object]) -> None:
 
 
 def _add_choice_of_frames(add: Callable[..., object]) -> None:
-    add("--start", type=int, metavar="N", help="first frame, from 0 (negative: from the end)")
-    add("--stop", type=int, metavar="N", help="frame before which to stop")
-    add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
+    text = "frames to analyse, numbered from 0: 100:200, 100: or ::10 (default: all)"
+    add("--frames", type=_slice, metavar="START:STOP:STEP", default=slice(None), help=text)
     text = "number of processes; more than 1 is worth it only for gigabytes (default: 1)"
     add("--workers", type=whole_number(1, most=MOST_PROCESSES), default=1, metavar="N", help=text)
 
 
+def _slice(text: str) -> slice:
+    """ "100:200:2" as Python takes it."""
+    try:
+        first, colon, rest = text.partition(":")
+        stop, _, step = rest.partition(":")
+        parts = [int(part) if part else None for part in (first, stop, step)]
+        if not colon or parts[2] == 0:
+            raise ValueError
+    except ValueError:
+        expected = "expected START:STOP:STEP, such as 100:200 or ::10"
+        raise argparse.ArgumentTypeError(f"{expected}, found {text!r}") from None
+    return slice(*parts)
+
+
 def _add_output(add: Callable[..., object]) -> None:
+    text = "also write N frames that represent all others as representatives.pdb"
+    add("-k", "--representatives", type=whole_number(1), metavar="N", help=text)
     text = "resolution of the figures, dots per inch (default: 150)"
     add("--dpi", type=whole_number(50, most=1200), default=150, metavar="N", help=text)
     add("--json", action="store_true", help="print the results as one JSON object")
@@ -159,12 +174,12 @@ def _analyse(options: argparse.Namespace) -> int:
             select=options.select,
             superpose=options.superpose,
             mass_weighted=options.mass_weighted,
-            hydrogens=options.hydrogens,
             reference=options.reference,
             distances=[(a, b) for a, b in options.distance],
-            start=options.start,
-            stop=options.stop,
-            step=options.step,
+            start=options.frames.start,
+            stop=options.frames.stop,
+            step=options.frames.step,
+            representatives=options.representatives,
             workers=options.workers,
             dpi=options.dpi,
             on_stage=on_stage,
@@ -200,6 +215,8 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
     for one in summary.get("distances", ()):
         ends = f"{one['from']} to {one['to']}"
         print(f"distance        {one['smallest']:.1f} to {one['largest']:.1f} Å: {ends}")
+    if "representatives" in summary["outputs"]:
+        print(f"represent all   {printable_name(summary['outputs']['representatives'])}")
     print(f"report          {printable_name(summary['outputs']['report'])}")
 
 

@@ -17,8 +17,12 @@ from pliant.base.console import MOST_PROCESSES
 from pliant.base.display import Displayed, Facts
 from pliant.base.progress import Stages
 from pliant.base.verdict import Verdict, verdict_of_all
+from pliant.measure.shapes.representatives import medoids
 from pliant.measure.stages.analysis import Analysis, AnalysisOptions
 from pliant.measure.stages.stages import STAGES, analyse_trajectory
+from pliant.report.multi_model import write_chosen
+from pliant.report.page.additions import Additions
+from pliant.report.representatives import REMARK
 from pliant.report.summary import summary
 from pliant.report.verdicts import verdicts
 from pliant.report.write import check_folder, write_report
@@ -68,7 +72,11 @@ class AnalysisReport(Displayed):
 
 
 @checked(
-    step=NOT_ZERO, workers=whole(1, MOST_PROCESSES), dpi=whole(50, 1200), distances=PAIRS_OF_TEXTS
+    step=NOT_ZERO,
+    workers=whole(1, MOST_PROCESSES),
+    representatives=whole(1),
+    dpi=whole(50, 1200),
+    distances=PAIRS_OF_TEXTS,
 )
 def analyse(
     path: str | os.PathLike[str] | HasFrames | Molecule,
@@ -78,13 +86,13 @@ def analyse(
     select: str = "all",
     superpose: str | None = None,
     mass_weighted: bool = False,
-    hydrogens: bool = False,
     reference: str | os.PathLike[str] | None = None,
     distances: Sequence[tuple[str, str]] = (),
     start: int | None = None,
     stop: int | None = None,
     step: int | None = None,
     workers: int = 1,
+    representatives: int | None = None,
     dpi: int = DPI,
     on_stage: Callable[[str], None] | None = None,
 ) -> AnalysisReport:
@@ -112,8 +120,6 @@ def analyse(
         else all but hydrogens.
     mass_weighted : bool
         Weigh the PCA by mass.
-    hydrogens : bool
-        Include torsions that turn hydrogens only.
     reference : str or path, optional
         Structure to compare frames with, of the same atoms. Default: the PDB that ``pliant run``
         and ``sample`` write beside their trajectory, else the first frame.
@@ -123,6 +129,9 @@ def analyse(
         Which frames, as in a slice.
     workers : int
         Number of processes.
+    representatives : int, optional
+        Write so many frames that stand for all others as representatives.pdb: see
+        ``representatives``.
     dpi : int
         Resolution of the figures, dots per inch.
     on_stage : callable
@@ -147,7 +156,6 @@ def analyse(
         select,
         superpose,
         mass_weighted,
-        hydrogens,
         start,
         stop,
         step,
@@ -156,14 +164,15 @@ def analyse(
         tuple((str(a), str(b)) for a, b in distances),
     )
     if on_stage is not None:
-        return _analysed(options, output, dpi, on_stage, folder)
+        return _analysed(options, output, representatives, dpi, on_stage, folder)
     with Stages("analysing", 2 + len(STAGES)) as stages:
-        return _analysed(options, output, dpi, stages, folder)
+        return _analysed(options, output, representatives, dpi, stages, folder)
 
 
 def _analysed(
     options: AnalysisOptions,
     output: str | os.PathLike[str] | None,
+    representatives: int | None,
     dpi: int,
     on_stage: Callable[[str], None],
     folder: tempfile.TemporaryDirectory[str] | None,
@@ -171,5 +180,13 @@ def _analysed(
     analysis = analyse_trajectory(options, on_stage)
     if output is None:
         return AnalysisReport(analysis, folder=folder)
+    chosen = None if representatives is None else medoids(analysis, representatives)[1]
     on_stage("figures and page")
-    return AnalysisReport(analysis, write_report(analysis, Path(output), dpi), folder)
+    if chosen is None:
+        return AnalysisReport(analysis, write_report(analysis, Path(output), dpi), folder)
+    models = Path(output) / "representatives.pdb"
+    models.parent.mkdir(parents=True, exist_ok=True)
+    write_chosen(analysis, chosen, models, REMARK)
+    more = Additions(files=[models], models=[models])
+    outputs = write_report(analysis, Path(output), dpi, more)
+    return AnalysisReport(analysis, {**outputs, "representatives": str(models)}, folder)

@@ -67,7 +67,7 @@ def _main(words: list[str]) -> int:
 
 def _task(asked: argparse.Namespace) -> str:
     """That of the shards; "" of an ensemble that is there."""
-    for name in ("verify", "only"):
+    for name in ("verify", "shard"):
         if getattr(asked, name) is not None:
             return ""
     if (asked.walkers is None) == (asked.frames is None):
@@ -91,14 +91,14 @@ def _how(options: argparse.Namespace) -> Making:
 
 def _ensemble(options: argparse.Namespace, passed_on: Options, words: list[str]) -> int:
     if not options.task and options.input is not None:
-        name = "--only" if options.verify is None else "--verify"
+        name = "--shard" if options.verify is None else "--verify"
         raise OptionError(f'unexpected argument "{options.input}": does not go with {name}')
     if options.verify is not None:
         return _verify(options)
     if options.output is None:
         raise OptionError("-o DIR: expected the folder of the ensemble")
     folder = Path(options.output)
-    if options.only is not None:
+    if options.shard is not None:
         return _make_one(folder, options)
     if options.slurm_script is None and not (folder / PLAN).exists():
         need("pliant ensemble", "dask", "distributed")  # before anything is made
@@ -182,11 +182,11 @@ def _print_outcome(outcome: Outcome) -> None:
 
 def _make_one(folder: Path, options: argparse.Namespace) -> int:
     plan = load_plan(folder)
-    if options.only >= plan.shard_count:
+    if options.shard >= plan.shard_count:
         raise OptionError(
-            f"--only {options.only}: expected a shard from 0 to {plan.shard_count - 1}"
+            f"--shard {options.shard}: expected a shard from 0 to {plan.shard_count - 1}"
         )
-    record = make_shard(plan, plan.shard(options.only), str(folder), _how(options))
+    record = make_shard(plan, plan.shard(options.shard), str(folder), _how(options))
     if options.json:
         print_json(record.as_json())
     elif not options.quiet:

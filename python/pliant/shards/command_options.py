@@ -72,7 +72,7 @@ def _add_ensemble(add: Callable[..., object]) -> None:
     add("--shard-size", type=number, metavar="N", help=text)
     add("--verify", metavar="DIR", help="check every byte of an ensemble, and make no shards")
     text = "make shard K of the ensemble in DIR, without Dask"
-    add("--only", type=whole_number(0), metavar="K", help=text)
+    add("--shard", type=whole_number(0), metavar="K", help=text)
 
 
 def _add_places(add: Callable[..., object]) -> None:

@@ -44,7 +44,7 @@ child= again=
 trap 'again=1; [ -z "$child" ] || kill -USR1 "$child"' USR1
 trap '[ -z "$child" ] || kill -TERM "$child"' TERM
 while [ "$shard" -lt {plan.shard_count} ]; do
-  {_command(folder, how)} --only "$shard" &
+  {_command(folder, how)} --shard "$shard" &
   child=$!
   wait "$child"
   code=$?

@@ -29,6 +29,7 @@ using OptionPlace = std::variant<bool*, std::int64_t*, std::uint64_t*, double*, 
 /// Who may set an option. Where some may not, their program chooses the value itself.
 struct OptionUsers {
   bool command = true;
+  bool job = true;  ///< a job that is written as JSON, as shards are
   bool python = true;
   bool page = true;
   bool file = true;   ///< a recorded file, which a run or a sample goes on from

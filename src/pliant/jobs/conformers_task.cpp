@@ -31,7 +31,7 @@ SampleAsked torsions_asked(std::int64_t first, std::int64_t frames, bool is_firs
                            const ConformerOptions& asked) {
   SampleAsked wanted;
   wanted.options.ring_systems = is_first_start;
-  wanted.options.turn_amides = asked.amides;
+  wanted.options.amides = asked.amides;
   wanted.options.threads = asked.threads;
   wanted.options.sampler = conformer_sampler().name;
   wanted.options.first_frame = first;

@@ -32,7 +32,7 @@ std::string first_begun(const Job& job) {
       path.parent_path() / path_of(path_text(path.stem()) + "-0" + path_text(path.extension())));
   throw FileError(not_there(name) +
                   (is_there(path_of(of_walkers))
-                       ? ", but " + of_walkers + " is: give --walkers or --shard as in the run"
+                       ? ", but " + of_walkers + " is: give --walkers as in the run"
                        : ""));
 }
 
@@ -54,12 +54,9 @@ H5mdCheckpoint read_run(const std::string& file, std::optional<std::int64_t> ste
 
 /// How the file of a walker is written that was begun; of the job what does not change its frames.
 H5mdOptions recorded_like(const H5mdCheckpoint& from, H5mdOptions options) {
-  for (const auto& [path, value] : from.parameters) {
-    if (path == "record/single") options.single = value == Parameter(true);
-    if (path == "record/compress") options.compress = value == Parameter(true);
+  for (const auto& [path, value] : from.parameters)
     if (path == "record/precision" && std::holds_alternative<double>(value))
       options.precision = std::get<double>(value);
-  }
   return options;
 }
 

@@ -78,8 +78,8 @@ class SettingsTaking {
     const std::string given = run_field_text(job_.run, find_run_field(rival));
     const std::string made = run_field_text(taken, field);
     if (rival == field.name && given == made) return;
-    refuse_unless_overridden(job_, option_name(rival) + " " + given,
-                             "with " + option_name(field.name) + " " + made);
+    refuse_contradiction(job_, option_name(rival) + " " + given,
+                         "with " + option_name(field.name) + " " + made);
   }
 
   Job& job_;

@@ -87,8 +87,8 @@ class HeaderTaking {
         option == "--" + named->name && compared(bars_of(options_), is_bars_file(named->value)) ==
                                             compared(named->value, is_bars_file(named->value));
     if (!is_same)
-      refuse_unless_overridden(job_, spelled(option, bars_of(options_)),
-                               "with " + spelled("--" + named->name, named->value));
+      refuse_contradiction(job_, spelled(option, bars_of(options_)),
+                           "with " + spelled("--" + named->name, named->value));
   }
 
   void take(const OptionRow<MoleculeOptions>& row) {
@@ -105,8 +105,8 @@ class HeaderTaking {
     const std::string given = option_text(row.place(options_));
     const std::string made = named ? named->value : option_text(row.place(usual));
     if (compared(given, facts.is_file) == compared(made, facts.is_file)) return;
-    refuse_unless_overridden(job_, spelled(option, given),
-                             named ? "with " + spelled(option, made) : "without " + option);
+    refuse_contradiction(job_, spelled(option, given),
+                         named ? "with " + spelled(option, made) : "without " + option);
   }
 
   Job& job_;
@@ -128,17 +128,13 @@ void warn_of_unknown_model(const Job& job, const ForceHeader& header, const RunS
 
 }  // namespace
 
-void refuse_unless_overridden(const Job& job, const std::string& given, const std::string& made) {
-  if (job.walkers.override_forces) return;
+void refuse_contradiction(const Job& job, const std::string& given, const std::string& made) {
   throw OptionError(given + ": " + printable_name(job.walkers.forces) + " was made " + made +
-                    "; leave the option out, or give --override-forces to go by the command line");
+                    "; leave the option out");
 }
 
 void take_force_header(Job& job, ReplayedForces& replayed) {
-  if (job.walkers.forces.empty()) {
-    if (job.walkers.override_forces) throw OptionError("--override-forces: goes with --forces");
-    return;
-  }
+  if (job.walkers.forces.empty()) return;
   replayed.text = read_bytes(path_of(job.walkers.forces));
   replayed.header = read_force_header(without_byte_order_mark(replayed.text), job.walkers.forces);
   if (!replayed.header->input.empty()) HeaderTaking(job, replayed).take();
@@ -155,11 +151,8 @@ void check_force_header(const Job& job, const ReplayedForces& replayed, const Ru
     what = "structure: with fingerprint " + fingerprint_text(*header.structure) + ", not " +
            fingerprint_text(*subject.fingerprint) + " as of " +
            printable_name(job.molecule.input.file);
-  if (what.empty()) return;
-  what = printable_name(job.walkers.forces) + ": was made for another " + what;
-  if (!job.walkers.override_forces)
-    throw InputError(what + "; --override-forces replays it all the same");
-  log.warn(what);
+  if (!what.empty())
+    throw InputError(printable_name(job.walkers.forces) + ": was made for another " + what);
 }
 
 }  // namespace pliant

@@ -23,17 +23,18 @@ struct ReplayedForces {
 };
 
 /// Reads the force file that the job names, and takes from its header the options of the molecule
-/// that are not given. Throws OptionError if both differ, unless the job overrides the file, and
-/// InputError as read_force_header() does.
+/// that are not given. Throws OptionError if both differ, and InputError as read_force_header()
+/// does.
 void take_force_header(Job& job, ReplayedForces& replayed);
 
-/// Throws InputError if the file was made for another structure or framework; a warning where the
-/// job overrides it. Warns if a file does not say what it was made for.
+/// Throws InputError if the file was made for another structure or framework. Warns if a file does
+/// not say what it was made for.
 void check_force_header(const Job& job, const ReplayedForces& replayed, const RunSubject& subject,
                         const Log& log);
 
 /// Throws OptionError where an option, `given`, contradicts `made`, that of the force file (such as
-/// "with --model protein"), unless the job overrides the file.
-void refuse_unless_overridden(const Job& job, const std::string& given, const std::string& made);
+/// "with --model protein").
+[[noreturn]] void refuse_contradiction(const Job& job, const std::string& given,
+                                       const std::string& made);
 
 }  // namespace pliant

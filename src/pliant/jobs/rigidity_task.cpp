@@ -37,7 +37,7 @@ constexpr OptionField<RigidityAsked> table[] = {
                  "holds the atom: D-H of D-H..A stays fixed",
       .in_python = "Whether the bond to an atom with no other bond turns where a hydrogen bond\n"
                    "holds that atom (D-H of D-H..A), as in FIRST.",
-      .opposite = "still_ends"},
+      .users = {.command = false}},
      at<&RigidityAsked::ends_turn>},
     {{.name = "free_angles",
       .group = group,

@@ -27,8 +27,7 @@ namespace {
 
 void check_guide(const Job& job) {
   if (job.guide.empty()) {
-    for (const char* name : {"rock_amplitude", "period"})
-      if (job.was_given(name)) throw OptionError(option_name(name) + ": goes with --rock");
+    if (job.was_given("amplitude")) throw OptionError("--amplitude: goes with --rock");
     return;
   }
   for (const char* name : {"perturb", "forces", "record_forces"})
@@ -43,9 +42,9 @@ void check_guide(const Job& job) {
 
 void check_one_file(Job& job) {
   if (!job.walkers.are_several())
-    throw OptionError("--one-file: is for several walkers; give --walkers or --shard");
+    throw OptionError("one_file: is for several walkers: give walkers or shard");
   if (!job.go_on.empty())
-    throw OptionError("--one-file: such a file does not go on; --commits keeps what is done");
+    throw OptionError("one_file: such a file does not go on: commits keep what is done");
   job.output.record.flush_seconds = std::numeric_limits<double>::infinity();
 }
 
@@ -61,16 +60,13 @@ std::vector<std::string> inputs_of(const Job& job) {
 void settle_walkers(Job& job) {
   check_guide(job);
   if (job.was_given("shard") && job.was_given("walkers"))
-    throw OptionError("--shard: is given in place of --walkers, not together with it");
+    throw OptionError("shard: is given in place of walkers, not together with them");
   number_walkers(job.walkers);
   if (job.is_live && job.walkers.are_several())
     throw OptionError("--imd: follows one walker, not several");
   if (job.walkers.one_file) check_one_file(job);
-  const std::string& commits = job.output.commits;
-  if (job.was_given("commit_seconds") && commits.empty())
-    throw OptionError("--commit-seconds: goes with --commits");
-  if (!job.walkers.one_file && !commits.empty())
-    throw OptionError("--commits: goes with --one-file; other trajectories have --continue");
+  if (!job.walkers.one_file && !job.output.commits.empty())
+    throw OptionError("commits: goes with one_file; other trajectories have --continue");
   if (job.walkers.threads == 0)
     job.walkers.threads = std::max(1U, std::thread::hardware_concurrency());
 }

@@ -101,7 +101,6 @@ class ModelBuilder {
   MolecularModel build() {
     building_.bars = entry_.bars;
     building_.pin = options_.pin;
-    building_.log = options_.log;
     building_.may_be_cut = true;  // which build_model has asked
     if (entry_.has_contacts) take_contacts();
     if (entry_.has_sterics && options_.sterics) take_sterics();

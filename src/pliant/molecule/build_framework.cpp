@@ -6,8 +6,6 @@
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/aromaticity.hpp"
-#include "pliant/molecule/bond_lengths.hpp"
 #include "pliant/molecule/bonds/cut_bonds.hpp"
 #include "pliant/molecule/planar_groups.hpp"
 #include "pliant/molecule/selection.hpp"
@@ -21,11 +19,6 @@ constexpr double zero_length = 1e-4;
 
 // Atoms with more bonds than any element has are no matter for bars between all their neighbours.
 constexpr std::size_t most_neighbours = 64;
-
-constexpr std::uint8_t aromatic = 4;
-
-// In peptides the C-N bond is partly double (Engh and Huber, Acta Cryst. A47 (1991) 392).
-constexpr double peptide_bond_length = 1.33;
 
 /// Message about `structure`: with the file's name where there is one.
 [[noreturn]] void refuse(const Structure& structure, const std::string& message) {
@@ -50,26 +43,18 @@ class FrameworkBuilder {
     parts_.limits = options_.limits;
     parts_.sterics = options_.sterics;
     parts_.torsion_preferences = options_.torsion_preferences;
-    if (from_radii_ > 0)
-      options_.log.note("rest lengths of " + std::to_string(from_radii_) + " of " +
-                        std::to_string(parts_.bars.size()) +
-                        " bars are sums of covalent radii: no standard length is known");
     return std::move(parts_);
   }
 
  private:
   void add_bonds() {
-    const bool is_measured = options_.lengths == LengthSource::geometry;
     for (const Bond& bond : structure_.bonds) {
       check_atom(bond.a);
       check_atom(bond.b);
     }
-    const auto is_aromatic = is_measured ? std::vector<bool>() : find_aromatic_bonds(structure_);
-    for (std::size_t k = 0; k < structure_.bonds.size(); ++k) {
-      const Bond& bond = structure_.bonds[k];
+    for (const Bond& bond : structure_.bonds) {
       parts_.bars.push_back({bond.a, bond.b});
-      parts_.rest_lengths.push_back(is_measured ? measured_length(bond.a, bond.b)
-                                                : table_length(bond, is_aromatic[k]));
+      parts_.rest_lengths.push_back(measured_length(bond.a, bond.b));
     }
   }
 
@@ -91,23 +76,6 @@ class FrameworkBuilder {
     std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f)", p.x, p.y, p.z);
     refuse(structure_,
            "bar " + label(a, b) + " has length 0: both atoms are at " + std::string(text));
-  }
-
-  /// The length of a bond in an aromatic ring does not depend on how the ring is drawn.
-  double table_length(const Bond& bond, bool is_aromatic) {
-    const std::uint8_t one = structure_.atoms.elements[bond.a];
-    const std::uint8_t other = structure_.atoms.elements[bond.b];
-    const auto [light, heavy] = std::minmax(one, other);
-    if (bond.origin == BondOrigin::link && light == 6 && heavy == 7) return peptide_bond_length;
-    for (const std::uint8_t order : {is_aromatic ? aromatic : bond.order, bond.order})
-      if (const auto length = standard_bond_length(one, other, order)) return *length;
-    const double radii[] = {covalent_radius(one), covalent_radius(other)};
-    if (radii[0] <= 0.0 || radii[1] <= 0.0)
-      refuse(structure_, "bar " + label(bond.a, bond.b) + " has no standard length: element " +
-                             std::string(element_symbol(radii[0] <= 0.0 ? one : other)) +
-                             " has no covalent radius");
-    ++from_radii_;
-    return radii[0] + radii[1];
   }
 
   /// A bar between each two neighbours of an atom that are not bonded themselves; pairs that meet
@@ -156,8 +124,7 @@ class FrameworkBuilder {
 
   /// Whether the structure shows every bar at its rest length.
   bool is_drawn() const {
-    return options_.lengths == LengthSource::geometry &&
-           std::none_of(options_.stated.begin(), options_.stated.end(),
+    return std::none_of(options_.stated.begin(), options_.stated.end(),
                         [](const StatedBar& bar) { return bar.length.has_value(); });
   }
 
@@ -196,16 +163,11 @@ class FrameworkBuilder {
   FrameworkParts parts_;
   std::vector<std::size_t> first_neighbour_;
   std::vector<std::uint32_t> neighbours_;
-  std::size_t from_radii_ = 0;
 };
 
 }  // namespace
 
 Framework build_framework(const Structure& structure, const BuildOptions& options) {
-  if (options.bars == BarKind::angles && options.lengths == LengthSource::table)
-    throw OptionError(
-        "lengths \"table\" is for bars \"bonds\" only: bars across angles have no "
-        "standard lengths");
   if (!options.may_be_cut && options.bars != BarKind::none) refuse_cut(structure);
   FrameworkParts parts = FrameworkBuilder(structure, options).parts();
   if (options.stated_in.empty()) return Framework(std::move(parts));

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "pliant/base/log.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
@@ -15,17 +14,10 @@ namespace pliant {
 
 /// Which pairs become bars: bonds (1-2), angles (1-2, 1-3, and 1-4 in planar groups), or none.
 enum class BarKind : std::uint8_t { bonds, angles, none };
-/// Where rest lengths come from: the file's geometry, or sums of covalent radii (bonds only).
-enum class LengthSource : std::uint8_t { geometry, table };
 
 struct BarChoice {
   std::string_view name;
   BarKind kind;
-  std::string_view summary;
-};
-struct LengthChoice {
-  std::string_view name;
-  LengthSource source;
   std::string_view summary;
 };
 inline constexpr BarChoice bar_choices[] = {
@@ -33,9 +25,6 @@ inline constexpr BarChoice bar_choices[] = {
     {"angles", BarKind::angles,
      "a bar for each bond, each pair of atoms bonded to one atom, and across planar groups"},
     {"none", BarKind::none, "no bar"}};
-inline constexpr LengthChoice length_choices[] = {
-    {"geometry", LengthSource::geometry, "the distances in the file"},
-    {"table", LengthSource::table, "standard lengths by element pair and bond order"}};
 
 /// A bar between any two atoms, which replaces the bar that they may have already.
 struct StatedBar {
@@ -46,11 +35,9 @@ struct StatedBar {
 
 struct BuildOptions {
   BarKind bars = BarKind::bonds;
-  LengthSource lengths = LengthSource::geometry;
-  std::string pin = "";     ///< selection of atoms that never move; "": none
-  bool use_masses = true;   ///< give joints their atoms' masses (u)
-  bool may_be_cut = false;  ///< accept a molecule that a periodic box has cut
-  Log log = {};
+  std::string pin = "";                         ///< selection of atoms that never move; "": none
+  bool use_masses = true;                       ///< give joints their atoms' masses (u)
+  bool may_be_cut = false;                      ///< accept a molecule that a periodic box has cut
   std::vector<StatedBar> stated = {};           ///< in addition to `bars`; no pair twice
   std::vector<Limit> limits = {};               ///< joints are atoms
   std::shared_ptr<const Sterics> sterics = {};  ///< null: none

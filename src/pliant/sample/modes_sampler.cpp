@@ -19,7 +19,7 @@ NetworkModes scaled(NetworkModes modes, double amplitude) {
 }  // namespace
 
 ModesSampler::ModesSampler(const SamplerSetting& setting)
-    : ModesSampler(setting, network_modes(setting.nodes, setting.options.network)) {}
+    : ModesSampler(setting, network_modes(setting.nodes)) {}
 
 ModesSampler::ModesSampler(const SamplerSetting& setting, NetworkModes modes)
     : start_(setting.start),

@@ -7,7 +7,6 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/sample/network/elastic_network.hpp"
 #include "pliant/sample/pocket/pocket.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -66,7 +65,8 @@ const SampleField table[] = {
       .summary = "number of the first frame, if an ensemble is made in pieces",
       .range = Range::zero_or_more,
       .in_python = "Number of the first frame: a run may be made in pieces.",
-      .most = most_frames},
+      .most = most_frames,
+      .users = {.command = false}},
      at<&SampleOptions::first_frame>},
     {{.name = "amplitude",
       .group = group,
@@ -83,7 +83,7 @@ const SampleField table[] = {
       .summary = "how far frames go: r.m.s. fluctuation, averaged over residues",
       .range = Range::positive,
       .unit = "Angstrom",
-      .users = {.command = false, .python = false}},
+      .users = {.command = false, .job = false, .python = false}},
      at<&SampleOptions::amplitude>},
     {{.name = "seed",
       .group = group,
@@ -100,13 +100,6 @@ const SampleField table[] = {
       .unset_means = "all cores",
       .users = {.page = false, .file = false}},
      at<&SampleOptions::threads>},
-    {{.name = "network",
-      .group = group,
-      .summary = "elastic network; frames follow its modes",
-      .choices = [] { return names_of(networks()); },
-      .kind = "network",
-      .in_python = "A name in ``networks()``."},
-     at<&SampleOptions::network>},
     {{.name = "sampler",
       .group = group,
       .summary = sampler_text,
@@ -117,14 +110,14 @@ const SampleField table[] = {
      at<&SampleOptions::sampler>},
     {{.name = "near_frames",
       .group = group,
-      .summary = "of --sampler reach: how many frames come first, made as by --sampler modes.\n"
-                 "Flexibility is computed from these (default: half of the frames, in hundreds)",
+      .summary = "of sampler reach: how many frames come first, made as by sampler modes",
       .range = Range::zero_or_more,
       .is_optional = true,
       .in_python =
           "Of sampler ``reach``: frames below this number are those of ``modes``. 0: half of\n"
           "the frames, in whole hundreds.",
-      .most = most_frames},
+      .most = most_frames,
+      .users = {.command = false}},
      at<&SampleOptions::near_frames>},
     {{.name = "around",
       .group = group,
@@ -143,7 +136,7 @@ const SampleField table[] = {
           "Of sampler ``dilute`` (kcal/mol): a contact of energy E is off with probability\n"
           "exp(-abs(E) / contact_energy)."},
      at<&SampleOptions::contact_energy>},
-    {{.name = "turn_amides",
+    {{.name = "amides",
       .group = group,
       .summary = "of --sampler torsions: secondary amides, ureas and carbamates are also drawn\n"
                  "as cis and trans, as tertiary amides always are",
@@ -151,7 +144,7 @@ const SampleField table[] = {
           "Of sampler ``torsions``: secondary amides, ureas and carbamates turn from cis to\n"
           "trans, too, as tertiary amides do anyway.",
       .users = {.page = false}},
-     at<&SampleOptions::turn_amides>},
+     at<&SampleOptions::amides>},
 };
 
 }  // namespace

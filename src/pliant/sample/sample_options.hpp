@@ -29,9 +29,8 @@ struct SampleOptions {
   /// samplers without an amplitude accept. The job finds the amplitude: see SampleJob.
   std::string amplitude_from;
   std::uint64_t seed = 0;
-  std::int64_t threads = 1;        ///< from 1; changes no result
-  std::string network = "shared";  ///< a name in networks()
-  std::string sampler = "modes";   ///< a name in samplers()
+  std::int64_t threads = 1;       ///< from 1; changes no result
+  std::string sampler = "modes";  ///< a name in samplers()
   /// For `reach`: frames below this number are those of `modes`. 0: half of the frames, in whole
   /// blocks (see near_frames_of()).
   std::int64_t near_frames = 0;
@@ -41,7 +40,7 @@ struct SampleOptions {
   /// kcal/mol, for `dilute`: a contact of energy E is off with probability exp(-|E| / this).
   double contact_energy = 3.0;
   bool ring_systems = true;  ///< for `torsions`: rings that share bonds take other forms
-  bool turn_amides = false;  ///< for `torsions`: secondary amides are cis or trans, too
+  bool amides = false;       ///< for `torsions`: secondary amides are cis or trans, too
   /// Called between batches of frames, which take up to about a second; true ends the sample.
   std::function<bool()> should_stop = {};
   Log log = {};  ///< receives warnings

@@ -113,7 +113,6 @@ ImdFollower& ImdExchange::begin_client() {
   ++summary_.clients;
   changed_.notify_all();
   ImdFollower client;
-  client.every = options_.every;
   return followers_.emplace_back(std::move(client));
 }
 
@@ -167,7 +166,7 @@ void ImdExchange::pause(ImdFollower& client, bool is_paused) {
 
 void ImdExchange::set_rate(ImdFollower& client, std::int64_t every) {
   const std::lock_guard hold(mutex_);
-  client.every = every < 1 ? options_.every : every;
+  client.every = std::max<std::int64_t>(every, 1);
 }
 
 void ImdExchange::set_waits(bool waits) {
@@ -187,8 +186,8 @@ void ImdExchange::pull(ImdFollower& client, const std::vector<JointForce>& force
 void ImdExchange::kill(const std::string& name) {
   const std::lock_guard hold(mutex_);
   if (!options_.can_kill) {
-    keep_message("IMD client " + name + " asked the run to end (KILL), which clients may not: " +
-                 "it goes on; --imd-kill allows it");
+    keep_message("IMD client " + name + " asked the run to end (KILL): it goes on, as clients " +
+                 "of other machines can reach it");
     return;
   }
   is_killed_ = true;

@@ -34,9 +34,8 @@ struct ImdSummary {
 class ImdExchange {
  public:
   struct Options {
-    bool waits = false;      ///< the run waits for a client, and for slow ones
-    bool can_kill = false;   ///< clients may end the run
-    std::int64_t every = 1;  ///< a frame every so many steps, unless a client asks for another rate
+    bool waits = false;                      ///< the run waits for a client, and for slow ones
+    bool can_kill = false;                   ///< clients may end the run
     std::function<bool()> should_stop = {};  ///< ends waiting
   };
 

@@ -16,7 +16,6 @@ const ImdOptions& checked(const ImdOptions& options) {
   };
   if (options.port < 0 || options.port > 65535) refuse("port", options.port, "from 0 to 65535");
   if (options.version != 2 && options.version != 3) refuse("version", options.version, "2 or 3");
-  if (options.every < 1) refuse("every", options.every, "from 1");
   if (options.most_clients < 1) refuse("most_clients", options.most_clients, "from 1");
   return options;
 }
@@ -45,8 +44,7 @@ ImdServer::ImdServer(std::size_t joint_count, const ImdOptions& options,
       format_{options.version, options.swapped},
       joint_count_(joint_count),
       listener_(listen_for_clients(options)),
-      exchange_({options.wait, options.kill, options.every, options.should_stop},
-                std::move(steering)),
+      exchange_({options.wait, listener_.is_loopback, options.should_stop}, std::move(steering)),
       thread_([this] { serve(); }) {}
 
 ImdServer::~ImdServer() { close(); }

@@ -17,22 +17,20 @@ namespace pliant {
 
 /// Options of a server. Checked when it is made.
 struct ImdOptions {
-  std::string host = "127.0.0.1";  ///< name or number of the interface to listen on
-  int port = 8888;                 ///< 0: any free one
-  int version = 3;                 ///< 2 for VMD, 3 for MDAnalysis
-  bool wait = false;               ///< the run waits for a client, and for slow ones
-  bool kill = false;               ///< clients may end the run
-  int most_clients = 16;           ///< at once; others are turned away
-  std::int64_t every = 1;  ///< a frame every so many steps, unless the client asks otherwise
-  double timestep = 0.01;  ///< ps, reported to clients
-  bool swapped = false;    ///< use the opposite byte order of this machine's
+  std::string host = "127.0.0.1";          ///< name or number of the interface to listen on
+  int port = 8888;                         ///< 0: any free one
+  int version = 3;                         ///< 2 for VMD, 3 for MDAnalysis
+  bool wait = false;                       ///< the run waits for a client, and for slow ones
+  int most_clients = 16;                   ///< at once; others are turned away
+  double timestep = 0.01;                  ///< ps, reported to clients
+  bool swapped = false;                    ///< use the opposite byte order of this machine's
   std::function<bool()> should_stop = {};  ///< asked while the run waits
   Log log = {};                            ///< called only in the run's thread
   ImdPatience patience = {};
 };
 
 /// Serves all clients in a thread of its own; none waits for another. IMD has no passwords: whoever
-/// can reach the port may follow, pull and, with options.kill, end the run.
+/// can reach the port may follow and pull and, where only this machine can, end the run.
 class ImdServer {
  public:
   /// Starts listening. The pulls of clients go to `steering`. Throws OptionError naming the option,

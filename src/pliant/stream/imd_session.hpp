@@ -16,9 +16,9 @@ struct ImdPatience {
   /// For GO after the handshake. The specification asks for 1 s, but imdclient first allocates 10
   /// MB of frames, which with few atoms takes most of that, and tens of seconds on a busy machine.
   Milliseconds go{60'000};
-  Milliseconds packet{5000};    ///< for the next byte of a packet
-  Milliseconds reading{10000};  ///< for it to take a byte of what is waiting
-  Milliseconds finish{10000};   ///< at the end, for a client that takes nothing more
+  Milliseconds packet{5000};     ///< for the next byte of a packet
+  Milliseconds reading{60'000};  ///< for it to take a byte of what is waiting
+  Milliseconds finish{10'000};   ///< at the end, for a client that takes nothing more
 };
 
 /// Never blocks: the thread that serves it polls for all sessions.

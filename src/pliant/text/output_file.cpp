@@ -184,8 +184,6 @@ bool OutputFile::replace_existing() {
   return true;
 }
 
-void OutputFile::sync_name() const { sync_names(target_.parent_path()); }
-
 void OutputFile::close() {
   if (!file_) return;
   if (!published_) remove_name(temporary_);

@@ -41,8 +41,6 @@ class OutputFile {
   /// that name atomically. Throws as the constructor does.
   void publish();
   bool is_published() const { return published_; }
-  /// Flushes the folder's entry to the disk.
-  void sync_name() const;
   void close();
 
  private:

@@ -86,9 +86,9 @@ def test_what_is_not_stated_is_refused(pliant, pair, tmp_path, command):
 
 
 @pytest.mark.parametrize(
-    "command", ["info", "run", "sample", "contacts", "order", "forcegen", "rigidity"]
+    "command", ["info", "run", "sample", "contacts", "lab order", "lab forcegen", "rigidity"]
 )
 def test_an_assembly_has_a_name(pliant, pair, command):
-    ended = pliant(command, pair, "--assembly", "")
+    ended = pliant(*command.split(), pair, "--assembly", "")
     assert ended.code == 2
     assert '--assembly: expected the name, found ""' in ended.err

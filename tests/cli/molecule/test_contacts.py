@@ -95,10 +95,6 @@ def test_a_wrong_line_is_named(pliant, tmp_path):
             "--more-contacts: goes with --model protein",
         ),
         (
-            ["--model", "protein", "--lengths", "table"],
-            "--lengths table: goes with --bars: a model has the lengths of the file",
-        ),
-        (
             ["--model", "protein", "--protonate", "HIS7:ASH"],
             'protonate: "HIS7:ASH": ASH is a form of ASP',
         ),

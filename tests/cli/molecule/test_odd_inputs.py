@@ -45,11 +45,12 @@ FILES = [
 
 
 @pytest.mark.parametrize(("name", "content", "said"), FILES, ids=[repr(row[0]) for row in FILES])
-@pytest.mark.parametrize("command", ["info", "run", "order"])
+@pytest.mark.parametrize("command", ["info", "run", "lab order"])
 def test_a_file_that_is_no_molecule(pliant, tmp_path, name, content, said, command):
     if content is not None:
         (tmp_path / name).write_bytes(content)
-    ended = pliant(command, name, *(["-o", "out.txt"] if command == "order" else []))
+    output = ["-o", "out.txt"] if command == "lab order" else []
+    ended = pliant(*command.split(), name, *output)
     assert (ended.code, ended.out) == (1, "")
     assert ended.err == f"pliant: error: {said}\n"
     left = {path.name for path in tmp_path.iterdir()} - {name}

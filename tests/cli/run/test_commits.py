@@ -9,19 +9,18 @@ import subprocess
 
 import commit_logs
 import pytest
-from commit_logs import commits_in, steps_in, wait_for_commits
-from ensembles import COMMAND, PEPTIDE
+from commit_logs import commits_in, steps_in, wait_for_commits, words_of_job
+from ensembles import PEPTIDE
 
 WALKERS, STEPS = 12, 240
-RUN = {"--shard": f"3..{2 + WALKERS}", "--threads": 1, "--topology": "none"}
-RUN |= {"--steps": STEPS, "--every": 50, "-o": "o.h5md"}
-LOG = {"--commits": "o.log"}
-AT_ONCE = {**LOG, "--commit-seconds": 0}
+RUN = {"input": PEPTIDE, "shard": f"3..{2 + WALKERS}", "one_file": True, "threads": 1}
+RUN |= {"topology": "none", "steps": STEPS, "every": 50, "output": "o.h5md"}
+LOG = {"commits": "o.log"}
+AT_ONCE = {**LOG, "commit_seconds": 0}
 
 
 def words_of(more):
-    words = [word for pair in (RUN | more).items() for word in pair]
-    return [str(word) for word in (COMMAND, "run", PEPTIDE, *words, "--one-file", "--json")]
+    return words_of_job("run", RUN | more)
 
 
 def ran(folder, more=None, code=0):
@@ -98,7 +97,7 @@ def test_a_signal_commits_all_that_is_done(tmp_path, whole, how):
 
 
 def test_sigusr1_may_come_again(tmp_path):
-    words = words_of(AT_ONCE | {"--steps": 10**6})
+    words = words_of(AT_ONCE | {"steps": 10**6})
     with subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.DEVNULL) as child:
         wait_for_commits(child, tmp_path / "o.log", 20)
         for number in (signal.SIGUSR1, signal.SIGTERM, signal.SIGUSR1):
@@ -109,9 +108,9 @@ def test_sigusr1_may_come_again(tmp_path):
 
 def test_what_a_walker_has_done_is_kept_while_others_go_on(tmp_path):
     """With contacts one walker follows the other; between their ends nothing is committed here."""
-    more = {"--model": "protein", "--steps": 3000, "--every": 1000, "--commit-seconds": 1000}
+    more = {"model": "protein", "steps": 3000, "every": 1000, "commit_seconds": 1000}
     subprocess.run(
-        words_of(more | {"-o": "whole.h5md"} | {"--commits": "whole.log"}),
+        words_of(more | {"output": "whole.h5md"} | {"commits": "whole.log"}),
         cwd=tmp_path,
         check=True,
         stdout=subprocess.DEVNULL,
@@ -127,14 +126,10 @@ def test_what_a_walker_has_done_is_kept_while_others_go_on(tmp_path):
 @pytest.mark.long
 @pytest.mark.parametrize(
     "more",
-    [
-        {"--model": "protein", "--every": 77},
-        {"--save": "name CA"},
-        {"--precision": 1e-2, "--threads": 3},
-    ],
+    [{"model": "protein", "every": 77}, {"save": "name CA"}, {"precision": 1e-2, "threads": 3}],
 )
 def test_other_options(tmp_path, more):
-    words = words_of(more | {"-o": "whole.h5md"})
+    words = words_of(more | {"output": "whole.h5md"})
     subprocess.run(words, cwd=tmp_path, check=True, stdout=subprocess.DEVNULL)
     for count in (3, 200, 500):
         assert stopped(tmp_path, count, signal.SIGKILL, more) == -signal.SIGKILL
@@ -142,19 +137,19 @@ def test_other_options(tmp_path, more):
     assert (tmp_path / "o.h5md").read_bytes() == (tmp_path / "whole.h5md").read_bytes()
 
 
-@pytest.mark.parametrize("more", [{"--seed": 7}, {"--steps": 7}, {"--every": 7}])
+@pytest.mark.parametrize("more", [{"seed": 7}, {"steps": 7}, {"every": 7}])
 def test_the_log_of_another_run_is_refused(tmp_path, log, more):
     shutil.copy(log, tmp_path / "o.log")
     ended = ran(tmp_path, more, code=1)
     text = "o.log: has the commits of another run: give another name, or remove it"
-    assert ended.stderr == f"pliant: error: {text}\n"
+    assert json.loads(ended.stdout)["error"] == {"kind": "InputError", "text": text}
     assert (tmp_path / "o.log").read_bytes() == log.read_bytes()
     assert not (tmp_path / "o.h5md").exists()
 
 
 def test_what_is_no_log_is_refused(tmp_path):
     (tmp_path / "o.log").write_text("something that somebody has written down")
-    assert "o.log: is no log of commits" in ran(tmp_path, code=1).stderr
+    assert "o.log: is no log of commits" in ran(tmp_path, code=1).stdout
     assert (tmp_path / "o.log").read_text().startswith("something")
 
 
@@ -174,14 +169,11 @@ def test_a_run_whose_log_is_taken_over_goes_on_without(tmp_path, whole):
 
 
 @pytest.mark.parametrize(
-    ("words", "message"),
+    ("more", "message"),
     [
-        (("--commits", "c.log"), "--commits: goes with --one-file"),
-        (("--commit-seconds", 1), "--commit-seconds: goes with --commits"),
-        (("--walkers", 2, "--one-file", "--commits", "c.log", "--commit-seconds", -1), "from 0"),
+        ({"commits": "c.log", "one_file": False}, "commits: goes with one_file"),
+        ({"commits": "c.log", "commit_seconds": -1}, "must be 0 or more"),
     ],
 )
-def test_what_does_not_go_together(pliant, ethanol, words, message):
-    ended = pliant("run", ethanol, *words)
-    assert ended.code == 2
-    assert message in ended.err
+def test_what_does_not_go_together(tmp_path, more, message):
+    assert message in ran(tmp_path, more, code=2).stdout

@@ -118,7 +118,6 @@ OPTIONS = [
     ["--steps", "2"],
     ["--seed", "2"],
     ["--walkers", "2"],
-    ["--shard", "0..1"],
     ["--ordering", "s.txt"],
     ["--record-forces", "f.txt"],
 ]

@@ -93,7 +93,6 @@ def test_rounded_coordinates_are_warned_of(pliant, tmp_path):
         ("rigidity", ["--hbond-cutoff", -2], "--hbond-cutoff: is for molecules; a graph XML file "
          "has joints and bars as they stand"),
         ("rigidity", ["--dilution"], "--dilution: is for molecules, not for a graph"),
-        ("rigidity", ["--still-ends"], "--still-ends: is for molecules, not for a graph"),
         ("rigidity", ["-o", "out"], "--output: is for molecules, not for a graph"),
     ],
 )  # fmt: skip  # a table: a row a line

@@ -36,7 +36,7 @@ def test_what_does_not_arrive_ends_with_3(pliant, tmp_path):
 
 
 def test_rocking_goes_on_with_the_bits_of_one_run(pliant, tmp_path):
-    words = ["--rock", 2, "--rock-amplitude", 0.8, "--period", 12, "--pull", "resid 1", "1,1,0"]
+    words = ["--rock", 2, "--amplitude", 0.8, "--pull", "resid 1", "1,1,0"]
     pliant(*MODEL, *words, "-o", "whole.h5md", "--steps", 10)
     pliant(*MODEL, *words, "-o", "part.h5md", "--steps", 4)
     ended = pliant("run", "--continue", "part.h5md", "--steps", 10)
@@ -59,7 +59,7 @@ def test_rocking_goes_on_with_the_bits_of_one_run(pliant, tmp_path):
          '--pair-distance: expected a distance such as 25, or 20..30, in Angstrom, found "-3"'),
         (["--pair-distance", "resid 1", "resid 2", "30..20"],
          '--pair-distance: expected a distance such as 25, or 20..30, in Angstrom, found "30..20"'),
-        (["--period", 10], "--period: goes with --rock"),
+        (["--amplitude", 2], "--amplitude: goes with --rock"),
         (["--rock", 1, "--perturb", "force"],
          "--perturb: goes with neither --rock, --pull nor --pair-distance"),
         (["--rock", 1, "--walkers", 2],

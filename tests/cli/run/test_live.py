@@ -2,7 +2,7 @@
 """pliant run --imd and pliant watch: options, and what they say."""
 
 import json
-import re
+import signal
 import subprocess
 import sys
 from contextlib import ExitStack
@@ -20,16 +20,13 @@ PEPTIDE = MOLECULES / "alanine_dipeptide.pdb"
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--imd", "70000"), 'pliant run: error: --imd: expected a whole number from 0 to 65535, '
+        (("--imd", "70000"), 'pliant: error: --imd: expected a port from 0 to 65535, or HOST:PORT, '
          'found "70000"'),
+        (("--imd", "localhost"), 'pliant: error: --imd: expected a port from 0 to 65535, or '
+         'HOST:PORT, found "localhost"'),
         (("--imd", "--imd-version", "4"), "pliant run: error: --imd-version: expected a whole "
          'number from 2 to 3, found "4"'),
         (("--imd-wait",), "pliant: error: --imd-wait: goes with --imd"),
-        (("--imd-every", "3"), "pliant: error: --imd-every: goes with --imd"),
-        (("--imd-timeout", "3"), "pliant: error: --imd-timeout: goes with --imd"),
-        (("--imd-kill",), "pliant: error: --imd-kill: goes with --imd"),
-        (("--imd", "--imd-timeout", "0"), "pliant run: error: --imd-timeout: expected a number "
-         'above 0, found "0"'),
         (("--imd", "--walkers", "2"), "pliant: error: --imd: follows one walker, not several"),
     ],
 )  # fmt: skip  # a table: a row a line
@@ -52,9 +49,9 @@ def test_a_port_that_is_taken(pliant, command, tmp_path):
 
 
 def test_a_run_that_is_reached_from_elsewhere_says_so(pliant):
-    ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0", "--imd-host", "0.0.0.0")
+    ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0.0.0.0:0")
     assert ended.code == 0
-    assert "warning: --imd-host 0.0.0.0: IMD has no passwords: whoever reaches port " in ended.err
+    assert "warning: --imd 0.0.0.0:0: IMD has no passwords: whoever reaches port " in ended.err
 
 
 def test_a_run_whose_pushes_no_file_holds_says_so(pliant, tmp_path):
@@ -89,10 +86,11 @@ def test_nobody_came(pliant):
 
 
 def test_watch_records_what_it_sees(pliant, command, tmp_path):
-    with served_run(command, tmp_path, "--steps", "1000000", "--imd-wait", "--imd-kill") as run:
-        words = ["watch", f"localhost:{run.port}", "--frames", "40", "--kill", "--json"]
-        record = ["--record", "seen.h5md", "--topology", "run.pdb"]
+    with served_run(command, tmp_path, "--steps", "1000000", "--imd-wait") as run:
+        words = ["watch", f"localhost:{run.port}", "--frames", "40", "--json"]
+        record = ["-o", "seen.h5md", "--topology", "run.pdb"]
         ended = pliant(*words, *record)
+        run.process.send_signal(signal.SIGINT)
         assert run.end()[0] == 130
     assert ended.code == 0, ended.err
     seen = json.loads(ended.out)
@@ -104,7 +102,7 @@ def test_watch_records_what_it_sees(pliant, command, tmp_path):
     assert len(reader) == 40
     with h5py.File(tmp_path / "run.h5md") as ours, h5py.File(tmp_path / "seen.h5md") as theirs:
         path = "particles/trajectory/position/value"
-        assert (ours[path][:40].astype("f4") == theirs[path][:]).all()
+        assert (ours[path][:40].astype("f4") == theirs[path][:].astype("f4")).all()
 
 
 ENDLESS = ("--steps", "1000000000", "--every", "1000000")
@@ -112,21 +110,10 @@ ENDLESS = ("--steps", "1000000000", "--every", "1000000")
 
 @pytest.mark.long
 def test_who_reads_nothing_keeps_nobody_else_from_watching(pliant, command, tmp_path):
-    with served_run(command, tmp_path, *ENDLESS, "--imd-kill") as run, Client(port=run.port):
-        ended = pliant("watch", f":{run.port}", "--frames", "5", "--kill", "--json")
-        assert run.end()[0] == 130
+    with served_run(command, tmp_path, *ENDLESS) as run, Client(port=run.port):
+        ended = pliant("watch", f":{run.port}", "--frames", "5", "--json")
     assert (ended.code, ended.err) == (0, "")
     assert json.loads(ended.out)["frames"] == 5
-
-
-def test_who_reads_nothing_is_dropped_and_the_log_says_so(command, tmp_path):
-    with (
-        served_run(command, tmp_path, *ENDLESS, patience=0.2) as run,
-        Client(port=run.port) as client,
-    ):
-        client.read()
-        said = run.wait_for(r"^warning: IMD client (.*)$", run.process.stderr)
-    assert re.fullmatch(r"127\.0\.0\.1:\d+ dropped: read nothing for 0\.2 s", said), said
 
 
 def test_one_client_too_many_is_reported(pliant, command, tmp_path):
@@ -150,24 +137,22 @@ def test_watch_says_what_is_wrong(pliant, tmp_path):
     ended = pliant("watch", "nowhere")
     assert ended.code == 2
     assert "expected HOST:PORT, found 'nowhere'" in ended.err
-    ended = pliant("watch", ":8888", "--record", "a.h5md")
+    ended = pliant("watch", ":8888", "-o", "a.h5md")
     assert (ended.code, ended.err) == (
         2,
-        "pliant watch: error: --record and --topology go together\n",
+        "pliant watch: error: --output and --topology go together\n",
     )
     (tmp_path / "a.h5md").touch()
-    ended = pliant("watch", ":8888", "--record", "a.h5md", "--topology", PEPTIDE)
+    ended = pliant("watch", ":8888", "-o", "a.h5md", "--topology", PEPTIDE)
     assert (ended.code, ended.err) == (
         2,
-        "pliant watch: error: --record a.h5md: exists; --overwrite replaces it\n",
+        "pliant watch: error: --output a.h5md: exists; --overwrite replaces it\n",
     )
 
 
 def test_watch_notices_other_atoms(pliant, command, tmp_path):
     with served_run(command, tmp_path, "--steps", "1000", "--imd-wait") as run:
-        ended = pliant(
-            "watch", f"localhost:{run.port}", "--record", "a.h5md", "--topology", PEPTIDE
-        )
+        ended = pliant("watch", f"localhost:{run.port}", "-o", "a.h5md", "--topology", PEPTIDE)
     assert ended.code == 1
     assert ended.err == "pliant watch: error: --topology: has 22 atoms, the run 327\n"
     assert not (tmp_path / "a.h5md").exists()

@@ -48,13 +48,6 @@ def test_walkers_have_a_file_each(pliant, ethanol, tmp_path):
     assert [len(models_of(tmp_path / f"w-{k}.pdb")) for k in range(2)] == [3, 3]
 
 
-@pytest.mark.parametrize("option", ["--single", "--compress"])
-def test_options_of_h5md_are_refused(pliant, ethanol, option):
-    ended = pliant("run", ethanol, "--steps", 2, "-o", "out.pdb", option)
-    wanted = f"{option}: goes with H5MD, not with the PDB file out.pdb\n"
-    assert ended.code == 2 and ended.err.endswith(wanted)
-
-
 def test_an_existing_file_stays(pliant, ethanol, tmp_path):
     (tmp_path / "out.pdb").write_text("mine")
     ended = pliant("run", ethanol, "--steps", 2, "-o", "out.pdb")

@@ -3,7 +3,7 @@ import json
 
 
 def test_techniques_as_json(pliant):
-    tables = json.loads(pliant("techniques", "--json").out)
+    tables = json.loads(pliant("lab", "techniques", "--json").out)
     names = [row["name"] for row in tables["techniques"]]
     assert (
         names[:11]
@@ -22,7 +22,7 @@ def test_techniques_as_json(pliant):
 
 
 def test_techniques_as_a_table(pliant):
-    ended = pliant("techniques")
+    ended = pliant("lab", "techniques")
     assert ended.code == 0
     assert "bfs_reverse      bfs_cycle, then backwards and forwards in turn" in ended.out
     assert "anderson         bfs_cycle with Anderson acceleration" in ended.out

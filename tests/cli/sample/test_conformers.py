@@ -176,9 +176,9 @@ def test_an_amplitude_is_refused(pliant, drug):
 
 
 def test_sdf_takes_no_options_of_h5md(pliant, drug):
-    ended = pliant("sample", drug, "-o", "out.sdf", *RAW, "--single")
+    ended = pliant("sample", drug, "-o", "out.sdf", *RAW, "--precision", 0.01)
     assert ended.code == 2
-    assert "--single: goes with H5MD, not with the SDF file out.sdf" in ended.err
+    assert "--precision: goes with H5MD, not with the SDF file out.sdf" in ended.err
 
 
 def test_what_cannot_turn_is_reported(pliant, tmp_path):

@@ -21,11 +21,8 @@ COMMON = ["--amplitude", "0.4", "--topology", "none", "--quiet"]
     "options",
     [
         [],
-        ["--single"],
-        ["--compress"],
-        ["--first-frame", 95],  # a block of a hundred ends within
+        ["--precision", 0.01],
         ["--sampler", "dilute", "--seed", 18446744073709551615],
-        ["--network", "gnm"],
         ["--free-torsions"],
     ],
 )
@@ -73,13 +70,10 @@ def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
                              "a run goes on as it began"),
         (["--sampler", "turns"], "--sampler: is modes in the run of o.h5md, not turns; "
                                  "a run goes on as it began"),
-        (["--first-frame", 7], "--first-frame: is 0 in the run of o.h5md, not 7; "
-                               "a run goes on as it began"),
         (["--model", "angles"], "--model: is protein in the run of o.h5md, not angles; "
                                 "a run goes on as it began"),
         (["--assembly", 1], "--assembly: is none in the run of o.h5md, not 1; "
                             "a run goes on as it began"),
-        (["--single"], "--single: is no in the run of o.h5md, not yes; a run goes on as it began"),
         (["--overwrite"], "--overwrite: does not go with --continue, which adds to o.h5md"),
         (["--frames", 2], "--frames 2: o.h5md has 3 frames already; "
                           "frames are counted from the start of the sample"),

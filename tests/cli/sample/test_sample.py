@@ -47,7 +47,9 @@ def test_threads_and_pieces_give_the_same_frames(pliant, tmp_path):
     common = ("--amplitude", 0.4, "--quiet", "--topology", "none")
     pliant("sample", PEPTIDE, "-o", "one.h5md", "--frames", 6, "--threads", 1, *common)
     pliant("sample", PEPTIDE, "-o", "two.h5md", "--frames", 6, "--threads", 2, *common)
-    pliant("sample", PEPTIDE, "-o", "end.h5md", "--frames", 2, "--first-frame", 4, *common)
+    piece = {"input": str(PEPTIDE), "output": "end.h5md", "frames": 2, "first_frame": 4}
+    (tmp_path / "piece.json").write_text(json.dumps(piece))
+    pliant("sample", "--job", "piece.json", *common)
 
     def frames(name):
         with h5py.File(tmp_path / name) as file:
@@ -96,7 +98,6 @@ def test_what_exists_is_not_replaced(pliant, tmp_path):
 @pytest.mark.parametrize(
     ("option", "value", "text"),
     [
-        ("--network", "amn", "--network"),
         ("--sampler", "mode", "--sampler"),
         ("--amplitude", "0", "--amplitude"),
         ("--frames", "0", "--frames"),

@@ -46,26 +46,6 @@ TEST_P(SampleSeedLaw, AnotherGivesOtherFrames) {
   });
 }
 
-/// Samplers without amplitude follow no modes.
-TEST_P(SampleSeedLaw, ANetworkMattersWhereFramesFollowItsModes) {
-  std::size_t same = 0, cases = 0;
-  each_case([&](const test::SampleCase& at) {
-    SampleOptions options = test::options_of(at);
-    options.frames = 1;
-    const auto usual = test::frames_of(at, options);
-    options.network = std::string(networks()[(at.network + 1) % networks().size()].name);
-    const auto other = test::frames_of(at, options);
-    ASSERT_EQ(usual.size(), other.size());
-    same += test::same_bits(usual[0].positions, other[0].positions) ? 1U : 0U;
-    ++cases;
-  });
-  if (sampler().has_amplitude) {
-    EXPECT_LT(same, cases);
-  } else {
-    EXPECT_EQ(same, cases);
-  }
-}
-
 class SampleThreadLaw : public test::SampleLaw {};
 PLIANT_FOR_ALL_SAMPLERS(SampleThreadLaw);
 

@@ -94,7 +94,7 @@ constexpr SampledMolecule molecules[] = {
 using RowPair = std::array<std::size_t, 4>;
 
 std::vector<RowPair> pairs_of(const SampleCase& at) {
-  const std::array<std::size_t, 4> rows{at.sampler, at.network, at.model, at.molecule};
+  const std::array<std::size_t, 3> rows{at.sampler, at.model, at.molecule};
   std::vector<RowPair> pairs;
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) pairs.push_back({j, rows[j], i, rows[i]});
@@ -112,17 +112,16 @@ std::size_t new_pairs(const SampleCase& at, const std::set<RowPair>& seen) {
 std::span<const SampledMolecule> sampled_molecules() { return molecules; }
 
 std::string SampleCase::name() const {
-  return std::string(samplers()[sampler].name) + ", " + std::string(networks()[network].name) +
-         ", " + std::string(models()[model].name) + ", " + std::string(molecules[molecule].name);
+  return std::string(samplers()[sampler].name) + ", " + std::string(models()[model].name) + ", " +
+         std::string(molecules[molecule].name);
 }
 
 std::vector<SampleCase> all_sample_cases() {
   std::vector<SampleCase> all;
   for (std::size_t sampler = 0; sampler < samplers().size(); ++sampler)
-    for (std::size_t network = 0; network < networks().size(); ++network)
-      for (std::size_t model = 0; model < models().size(); ++model)
-        for (std::size_t molecule = 0; molecule < std::size(molecules); ++molecule)
-          all.push_back({sampler, network, model, molecule});
+    for (std::size_t model = 0; model < models().size(); ++model)
+      for (std::size_t molecule = 0; molecule < std::size(molecules); ++molecule)
+        all.push_back({sampler, model, molecule});
   return all;
 }
 
@@ -130,19 +129,17 @@ std::vector<SampleCase> covering_sample_cases() {
   const std::vector<SampleCase> all = all_sample_cases();
   std::vector<SampleCase> chosen;
   std::set<RowPair> seen;
-  std::map<std::pair<std::size_t, std::size_t>, int> uses;  // of a network with a model
   for (;;) {
     const SampleCase* best = nullptr;
-    std::pair<std::size_t, int> most{0, 0};
+    std::size_t most = 0;
     for (const SampleCase& at : all) {
-      const std::pair gain(new_pairs(at, seen), -uses[{at.network, at.model}]);
-      if (gain.first == 0 || (best != nullptr && gain <= most)) continue;
+      const std::size_t gain = new_pairs(at, seen);
+      if (gain <= most) continue;
       best = &at;
       most = gain;
     }
     if (best == nullptr) return chosen;
     chosen.push_back(*best);
-    ++uses[{best->network, best->model}];
     for (const RowPair& pair : pairs_of(*best)) seen.insert(pair);
   }
 }
@@ -165,7 +162,6 @@ SampleOptions options_of(const SampleCase& at) {
   options.frames = 5;
   options.amplitude = 0.6;
   options.seed = 20240607;
-  options.network = std::string(networks()[at.network].name);
   options.sampler = std::string(samplers()[at.sampler].name);
   if (options.sampler == "reach") options.near_frames = 1;
   return options;

@@ -26,9 +26,9 @@ struct SampledMolecule {
 
 std::span<const SampledMolecule> sampled_molecules();
 
-/// Numbers of rows: of samplers(), networks(), models(), sampled_molecules().
+/// Numbers of rows: of samplers(), models(), sampled_molecules().
 struct SampleCase {
-  std::size_t sampler = 0, network = 0, model = 0, molecule = 0;
+  std::size_t sampler = 0, model = 0, molecule = 0;
   std::string name() const;
 };
 

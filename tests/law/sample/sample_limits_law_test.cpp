@@ -24,7 +24,7 @@ class SampleLimitsLaw : public test::SampleLaw {
   static void each_protein_frame(Look look) {
     for (const test::SampleCase& at : test::all_sample_cases()) {
       const bool has_contacts = models()[at.model].has_contacts;
-      if (at.sampler != GetParam() || !has_contacts || at.network != 0) continue;
+      if (at.sampler != GetParam() || !has_contacts) continue;
       SCOPED_TRACE(at.name());
       const auto task = test::task_of(at, test::options_of(at));
       for (const test::KeptFrame& frame : test::frames_of(*task)) look(*task, frame);

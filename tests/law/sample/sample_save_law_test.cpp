@@ -68,14 +68,12 @@ TEST_P(SampleSaveLaw, FramesAreReadBackAsTheyWere) {
   });
 }
 
-TEST_P(SampleSaveLaw, ShorterNumbersAreTheNearest) {
+TEST_P(SampleSaveLaw, RoundedNumbersAreTheNearest) {
   const auto itself = [](double x) { return x; };
-  const auto nearest = [](double x) { return static_cast<double>(static_cast<float>(x)); };
   const test::SampleCase at = cases_of(GetParam()).back();
   const TempDirectory folder;
   const auto task = test::task_of(at, test::options_of(at));
-  const auto single = folder / "single.h5md", rounded = folder / "rounded.h5md";
-  EXPECT_EQ(worst_difference(single, record(single, *task, 3, {.single = true}), nearest), 0.0);
+  const auto rounded = folder / "rounded.h5md";
   const double worst =
       worst_difference(rounded, record(rounded, *task, 3, {.precision = 0.001}), itself);
   EXPECT_GT(worst, 0.0);
@@ -98,16 +96,14 @@ TEST_P(SampleSaveLaw, WhatGoesOnIsWhatNeverStopped) {
 TEST(SampleCases, AnyTwoRowsOfDifferentTablesMeet) {
   const auto pairs_of = [](const std::vector<test::SampleCase>& cases) {
     std::set<std::array<std::size_t, 3>> pairs;
-    for (const auto& [sampler, network, model, molecule] : cases) {
-      pairs.insert({{0, sampler, network}, {1, sampler, model}, {2, sampler, molecule}});
-      pairs.insert({{3, network, model}, {4, network, molecule}, {5, model, molecule}});
-    }
+    for (const auto& [sampler, model, molecule] : cases)
+      pairs.insert({{0, sampler, model}, {1, sampler, molecule}, {2, model, molecule}});
     return pairs;
   };
   EXPECT_EQ(test::sampled_molecules().size(), 12U);
   const auto chosen = test::covering_sample_cases(), all = test::all_sample_cases();
   EXPECT_EQ(pairs_of(chosen), pairs_of(all));
-  EXPECT_LT(chosen.size(), all.size() / 10);
+  EXPECT_LT(chosen.size(), all.size() / 3);
 }
 
 class SampleRefusalLaw : public test::SampleLaw {

@@ -169,7 +169,7 @@ def test_a_frame_that_breaks_its_promise_is_called_bad(tmp_path, peptide, write_
 
 @without_figures
 def test_frames_and_atoms_can_be_chosen(analysed):
-    _, out, _ = analysed("--json", "--start", 3, "--stop", 20, "--step", 4, "--select", "resid 1:2")
+    _, out, _ = analysed("--json", "--frames", "3:20:4", "--select", "resid 1:2")
     found = json.loads(out)
     assert found["frames"] == 5
     assert (found["first_frame"], found["last_frame"]) == (3, 19)
@@ -297,7 +297,7 @@ def test_a_choice_that_is_wrong_or_empty_is_exit_code_2(tmp_path, peptide, write
     for arguments, message in (
         (["--select", "name XX"], "--select 'name XX': selects no atoms"),
         (["--distance", "name CA", "name XX"], "--distance 'name XX': selects no atoms"),
-        (["--start", "5"], "--start, --stop, --step: choose none of the 1 frames"),
+        (["--frames", "5:"], "frames: choose none of the 1 frames"),
     ):
         assert refused([good, *arguments], capsys) == (2, message)
     code, message = refused([good, "--superpose", "resid ("], capsys)
@@ -307,7 +307,14 @@ def test_a_choice_that_is_wrong_or_empty_is_exit_code_2(tmp_path, peptide, write
 
 @pytest.mark.parametrize(
     "arguments",
-    [[], ["a", "b"], ["a", "--step", "0"], ["a", "--workers", "x"], ["a", "--nonsense"]],
+    [
+        [],
+        ["a", "b"],
+        ["a", "--frames", "::0"],
+        ["a", "--frames", "5"],
+        ["a", "--workers", "x"],
+        ["a", "--nonsense"],
+    ],
 )
 @without_figures
 def test_wrong_usage_is_exit_code_2(arguments, capsys):

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""pliant representatives: the frames it chooses, and what it says when it cannot."""
-
-import json
+"""Representatives: the frames it chooses, and what it says when it cannot."""
 
 import MDAnalysis
 import numpy as np
-import pliant.mdanalysis  # noqa: F401
+import pliant.mdanalysis
 import pytest
 from MDAnalysis.analysis import rms
+from pliant.adapters.convert import command as convert
 from pliant.measure.shapes.medoids import k_medoids
 from pliant.report.representatives import representatives
-from pliant.report.representatives_command import main
 from pliant.trajectory.superposition import pairwise_rmsd
+
+import pliant
 
 
 @pytest.fixture
@@ -56,24 +56,40 @@ def test_no_single_change_of_a_frame_within_its_group_is_better():
     assert every.distance.max() == 0
 
 
-def test_the_models_are_the_frames_and_always_the_same(run, tmp_path, capsys):
-    out = tmp_path / "out.pdb"
-    assert main([str(run), "-k", "5", "-o", str(out), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    assert len(found["frames"]) == 5
-    assert sum(found["nearest"]) == found["compared"] == 40
-    assert "these frames are no independent draws: see pliant sample" in found["notes"]
-    before = out.read_bytes()
-    assert main([str(run), "-k", "5", "-o", str(out), "--overwrite", "--quiet"]) == 0
-    assert out.read_bytes() == before
-    written = MDAnalysis.Universe(out)
+def test_the_models_are_the_frames_and_always_the_same(run, tmp_path):
+    found = representatives(run, 5, tmp_path / "out.pdb")
+    assert len(found.frames) == 5
+    assert sum(found.nearest) == found.compared == 40
+    assert "these frames are no independent draws: see pliant sample" in found.notes
+    before = (tmp_path / "out.pdb").read_bytes()
+    representatives(run, 5, tmp_path / "out.pdb", overwrite=True)
+    assert (tmp_path / "out.pdb").read_bytes() == before
+    written = MDAnalysis.Universe(tmp_path / "out.pdb")
     source = MDAnalysis.Universe(run, topology_format="H5MD")
     assert len(written.trajectory) == 5
-    for k, number in enumerate(found["frames"]):
+    for k, number in enumerate(found.frames):
         written.trajectory[k]
         source.trajectory[number]
         assert rms.rmsd(written.atoms.positions, source.atoms.positions, superposition=True) < 2e-3
     assert b"populations are not claimed" in before
+
+
+def test_convert_writes_them_in_any_format(run, tmp_path, capsys):
+    assert convert.main([str(run), "-k", "5", "-o", str(tmp_path / "few.h5md")]) == 0
+    assert "few.h5md: 5 frames of " in capsys.readouterr().out
+    frames = representatives(run, 5).frames
+    source, written = pliant.Trajectory(run), pliant.Trajectory(tmp_path / "few.h5md")
+    assert len(written) == 5
+    for k, number in enumerate(sorted(frames)):
+        np.testing.assert_array_equal(written[k], source[number])
+
+
+def test_the_report_has_them(run, tmp_path):
+    report = pliant.analyse(run, tmp_path / "out", representatives=4, dpi=50)
+    models = tmp_path / "out" / "representatives.pdb"
+    assert report.outputs["representatives"] == str(models)
+    assert len(MDAnalysis.Universe(models).trajectory) == 4
+    assert "representatives.pdb" in (tmp_path / "out" / "report.html").read_text()
 
 
 def test_from_python_without_a_file(run):
@@ -83,19 +99,14 @@ def test_from_python_without_a_file(run):
     assert found.largest_distance >= found.mean_distance > 0
 
 
-@pytest.mark.parametrize(
-    ("words", "code", "message"),
-    [
-        (["-k", "41", "-o", "{new}"], 2, "-k: expected up to 40 frames, found 41"),
-        (["-k", "2", "-o", "{old}"], 1, "{old}: exists; --overwrite replaces it"),
-        ([*"-k 2 -o {new} --select".split(), "name XX"], 2, "--select 'name XX': selects no atoms"),
-    ],
-)
-def test_what_cannot_be_done(run, tmp_path, capsys, words, code, message):
-    names = {"new": str(tmp_path / "new.pdb"), "old": str(tmp_path / "old.pdb")}
+def test_what_cannot_be_done(run, tmp_path):
     (tmp_path / "old.pdb").write_text("kept")
-    assert main([str(run), *(word.format(**names) for word in words)]) == code
-    error = capsys.readouterr().err
-    assert error == f"pliant representatives: error: {message.format(**names)}\n"
+    for more, message in (
+        ({"count": 41}, "representatives: expected up to 40 frames, found 41"),
+        ({"count": 2, "output": tmp_path / "old.pdb"}, "exists; overwrite=True replaces it"),
+        ({"count": 2, "select": "name XX"}, "--select 'name XX': selects no atoms"),
+        ({}, "count, shapes: expected one of the two"),
+    ):
+        with pytest.raises(pliant.Error, match=message):
+            representatives(run, **more)
     assert (tmp_path / "old.pdb").read_text() == "kept"
-    assert not (tmp_path / "new.pdb").exists()

@@ -253,7 +253,7 @@ def test_frames_around_the_start_alone_are_said_to_be_that(ensemble, tmp_path, c
     assert values["verdicts"]["other shapes"]["text"] == said
     assert not (folder / "shapes.csv").exists()
     assert "none looked for: see --sampler reach" in (folder / "report.html").read_text()
-    with pytest.raises(pliant.OptionError, match="--shapes: there are no other shapes"):
+    with pytest.raises(pliant.OptionError, match="shapes: there are no other shapes"):
         representatives(path, shapes=True)
 
 
@@ -283,9 +283,9 @@ def test_contacts_and_pockets_of_a_protein(tmp_path):
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({}, "-k, --shapes: expected one of the two"),
-        ({"count": 2, "shapes": True}, "-k, --shapes: expected one of the two"),
-        ({"shapes": True, "superpose": "all"}, "--superpose: goes with -k, not with --shapes"),
+        ({}, "count, shapes: expected one of the two"),
+        ({"count": 2, "shapes": True}, "count, shapes: expected one of the two"),
+        ({"shapes": True, "superpose": "all"}, "superpose: goes with count, not with shapes"),
     ],
 )
 def test_representatives_are_of_one_kind(given, message):

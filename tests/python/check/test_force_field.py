@@ -287,7 +287,7 @@ def test_when_time_is_over_nothing_is_called_passed(peptide, start):
 
 def test_the_command_says_whether_md_may_start(sampled, tmp_path, capsys):
     path = write(sampled, tmp_path / "ensemble.h5md")
-    words = [str(path), "--starts", "2", "--long-starts", "1", "--md-steps", "20", "-o"]
+    words = [str(path), "--starts", "2", "-o"]
     code = main([*words, str(tmp_path / "out"), "--json"])
     report = json.loads(capsys.readouterr().out)
     names = [check["name"] for check in report["checks"]]
@@ -312,7 +312,7 @@ def test_the_command_says_whether_md_may_start(sampled, tmp_path, capsys):
 def test_without_a_start_structure_the_error_says_what_to_do(sampled, tmp_path, capsys):
     path = write(sampled, tmp_path / "ensemble.h5md")
     path.with_suffix(".pdb").unlink()
-    assert main([str(path), "--no-picture", "--force-field"]) == 1
+    assert main([str(path), "--force-field"]) == 1
     assert capsys.readouterr().err == (
         f"pliant check: error: {path.with_suffix('.pdb')}: no such file; name the start "
         "structure with --start\n"

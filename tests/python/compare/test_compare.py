@@ -172,7 +172,7 @@ def test_a_selection_of_too_few_is_refused(ours, select, message):
 
 
 def test_a_wrong_selection_is_refused_in_one_line(ours, capsys):
-    assert main([ours, ours, "--select", "nmae C1", "--no-picture"]) == 1
+    assert main([ours, ours, "--select", "nmae C1"]) == 1
     lines = capsys.readouterr().err.splitlines()
     assert len(lines) == 1
     assert lines[0].startswith("pliant compare: error: --select 'nmae C1': ")
@@ -198,7 +198,7 @@ def test_a_missing_file_is_named(made, ours, tmp_path, missing):
 def test_a_broken_trajectory_is_one_line(ours, tmp_path, capsys):
     path = tmp_path / "broken.dcd"
     path.write_bytes(b"not a trajectory")
-    assert main([ours, str(path), "--no-picture"]) == 1
+    assert main([ours, str(path)]) == 1
     lines = capsys.readouterr().err.splitlines()
     assert len(lines) == 1
     assert lines[0].startswith(f"pliant compare: error: {path}: MDAnalysis cannot read this: ")
@@ -281,7 +281,7 @@ SCHEMA = {
 
 
 def test_json_is_one_object_of_a_fixed_shape(ours, capsys):
-    assert main([ours, ours, "--json", "--no-picture"]) == 0
+    assert main([ours, ours, "--json"]) == 0
     captured = capsys.readouterr()
     holds(json.loads(captured.out), SCHEMA)
     assert captured.err == ""

@@ -138,7 +138,7 @@ def test_the_first_screen_says_what_follows(ours, models, tmp_path, capsys):
 
 @pytest.mark.long
 def test_json_holds_profiles_errors_and_modes(ours, models, capsys):
-    assert main([ours, models, "--json", "--no-picture"]) == 0
+    assert main([ours, models, "--json"]) == 0
     report = json.loads(capsys.readouterr().out)
     residues = report["residues"]
     assert residues["kind"] == "models" and report["theirs"] == {"file": models, "frames": 60}
@@ -263,7 +263,7 @@ def test_free_ends_are_no_part_of_the_fit(tmp_path):
 def test_another_molecule_is_refused(ours, tmp_path, capsys):
     path = tmp_path / "other.pdb"
     path.write_text(pdb_text(motions(3, 2, SIZES), "G" * COUNT, first=500))
-    assert main([ours, str(path), "--no-picture"]) == 1
+    assert main([ours, str(path)]) == 1
     assert capsys.readouterr().err == (
         f"pliant compare: error: {path}: only 0 of 30 residues of ours are in it, matched by "
         "sequence: is it the same molecule? pliant compare --select chooses parts of both\n"
@@ -271,7 +271,7 @@ def test_another_molecule_is_refused(ours, tmp_path, capsys):
 
 
 def test_a_trajectory_among_several_files_is_refused(ours, models, capsys):
-    assert main([ours, models, ours, "--no-picture"]) == 1
+    assert main([ours, models, ours]) == 1
     assert capsys.readouterr().err == (
         f"pliant compare: error: {ours}: several files are compared as a set of structures (PDB, "
         "mmCIF); expected one trajectory alone\n"

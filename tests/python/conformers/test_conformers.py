@@ -105,7 +105,7 @@ def test_energies_by_openmm(tmp_path):
         pliant.conformers("CCO", 1, energy=str(path), **FAST)
 
 
-def test_salts_are_said_or_refused():
+def test_salts_are_said():
     salt = Chem.AddHs(Chem.MolFromSmiles("CCC(=O)[O-].[Na+].O"))
     AllChem.EmbedMolecule(salt, randomSeed=1)
     structure = pliant.read_text(Chem.MolToMolBlock(salt), "salt.sdf")
@@ -114,11 +114,6 @@ def test_salts_are_said_or_refused():
         assert len(found.structure) == 10
         assert found.notes[0] == "the largest of 3 molecules is kept"
         assert Chem.MolToSmiles(Chem.RemoveHs(found.to_rdkit())) == "CCC(=O)[O-]"
-    with pytest.raises(pliant.InputError) as caught:
-        pliant.conformers(structure, 3, salts="refuse")
-    assert str(caught.value) == (
-        "salt.sdf: expected one molecule, found 3; salts largest keeps the largest"
-    )
     assert pliant.conformers(salt, 3, **FAST).GetNumAtoms() == 10
 
 
@@ -244,7 +239,6 @@ def test_stereo_that_is_left_open_is_warned_of(tmp_path):
         ({"max": 0}, "max = 0: must be from 1"),
         ({"rms": -1.0}, "rms = -1: must be 0 or more and finite"),
         ({"window": -1.0}, "window = -1: must be positive and finite"),
-        ({"salts": "keep"}, 'no way with salts named "keep"; known: largest, refuse'),
         ({"energy": "none", "window": 3.0}, "window: needs an energy, not energy none"),
         (
             {"energy": "own", "minimise": True},

@@ -252,9 +252,6 @@ def test_the_largest_molecule_of_a_file_is_kept(alanine, tmp_path):
     made = subject(path)
     assert made.notes[-1] == "the largest of 2 molecules is kept"
     assert canonical(made.molecule) == "C[C@H](N)C(=O)O"
-    assert refused(path, salts="refuse") == (
-        "expected one molecule, found 2; --salts largest keeps the largest"
-    )
 
 
 @pytest.mark.parametrize("name", ["x.pdb", "x.xyz"])

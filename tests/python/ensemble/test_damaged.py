@@ -54,7 +54,7 @@ DAMAGE = pytest.mark.parametrize("damage", [swap, flip, cut])
 @DAMAGE
 @pytest.mark.parametrize(
     ("command", "output", "words"),
-    [("analyse", "r", ()), ("convert", "all.dcd", ()), ("representatives", "k.pdb", ("-k", 3))],
+    [("analyse", "r", ()), ("convert", "all.dcd", ()), ("convert", "k.pdb", ("-k", 3))],
 )
 def test_what_reads_an_ensemble_names_it(copy, tmp_path, damage, command, output, words):
     _, why = damage(copy)
@@ -120,7 +120,7 @@ def test_a_shard_of_another_seed_is_no_shard_of_this_ensemble(copy, tmp_path, th
 
 def test_a_job_of_an_array_replaces_a_damaged_shard(ensemble, copy):
     path, why = swap(copy)
-    ended = call("ensemble", "-o", copy, "--only", 1)
+    ended = call("ensemble", "-o", copy, "--shard", 1)
     assert (ended.returncode, ended.stderr) == (0, f"warning: {why}: it is made again\n")
     assert path.read_bytes() == (ensemble / "shards" / path.name).read_bytes()
 

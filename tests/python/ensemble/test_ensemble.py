@@ -39,7 +39,7 @@ def test_frames_of_a_sample_are_sharded_too(tmp_path, there):
 def test_options_are_in_the_plan_by_their_names(tmp_path):
     """With values that look like options, names and files."""
     (tmp_path / "c.csv").write_text(call("contacts", PEPTIDE, "--csv").stdout)
-    words = ("--model", "protein", "--contacts", "c.csv", "--keep", "GOL,SO4", "--single")
+    words = ("--model", "protein", "--contacts", "c.csv", "--keep", "GOL,SO4", "--mass-weighted")
     words += ("--no-distance-bonds", "--hbond-cutoff", -2, "--tolerance", "1e-7", "--steps", 9)
     where = ("-o", "many", "--walkers", 1, "--slurm-script", "jobs.sh")
     ended = call("ensemble", *where, *words, PEPTIDE, cwd=tmp_path)
@@ -49,14 +49,14 @@ def test_options_are_in_the_plan_by_their_names(tmp_path):
         "model": "protein",
         "contacts": str(tmp_path / "c.csv"),
         "keep": ["GOL", "SO4"],
-        "single": True,
+        "mass_weighted": True,
         "distance_bonds": False,
         "hbond_cutoff": -2.0,
         "tolerance": 1e-7,
         "steps": 9,
     }
     assert set(plan.digests) == {"input", "contacts"}
-    assert made("-o", tmp_path / "many", "--only", 0)["frames"] == 10
+    assert made("-o", tmp_path / "many", "--shard", 0)["frames"] == 10
     (tmp_path / "c.csv").write_text("")
     ended = call("ensemble", *where, *words, PEPTIDE, cwd=tmp_path)
     assert f"was begun when --contacts {tmp_path}/c.csv had other contents" in ended.stderr
@@ -123,7 +123,6 @@ def test_another_content_of_the_input_is_refused(ensemble, tmp_path):
     ("words", "message"),
     [
         (("--walkers", 4, "--threads", 2), "--threads: is not passed on to pliant run"),
-        (("--walkers", 4, "--shard", "0..3"), "--shard: is not passed on to pliant run"),
         (("--walkers", 4, "--dry-run"), "--dry-run: is not passed on to pliant run: try"),
         (("--walkers", 4, "more.pdb"), 'unexpected argument "more.pdb"'),
         (("--walkers", 4, "--frames", 4), "expected --walkers N"),

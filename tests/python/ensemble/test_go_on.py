@@ -83,7 +83,7 @@ def wait_for_steps(process, folder, steps):
 
 
 def only(folder, shard, *words):
-    words = [COMMAND, "ensemble", "-o", folder, "--only", shard, *OFTEN, *words]
+    words = [COMMAND, "ensemble", "-o", folder, "--shard", shard, *OFTEN, *words]
     return subprocess.Popen([*map(str, words)], stderr=subprocess.PIPE, text=True)
 
 
@@ -228,7 +228,7 @@ def test_a_script_with_a_time(tmp_path):
     text = script.read_text()
     for line in ("time=6:00:00", "signal=B:USR1@120", "requeue", "open-mode=append"):
         assert f"#SBATCH --{line}\n" in text
-    assert "--scratch '$TMPDIR' --only \"$shard\" &" in text
+    assert "--scratch '$TMPDIR' --shard \"$shard\" &" in text
     subprocess.run(["sh", "-n", script], check=True)
 
 
@@ -256,7 +256,7 @@ def test_the_script_requeues_its_job(endless):
     scontrol.write_text(f'#!/bin/sh\necho "$@" >> {endless.parent}/asked\n')
     scontrol.chmod(0o755)
     script = endless.parent / "jobs.sh"
-    script.write_text(script.read_text().replace("--only", f"{' '.join(OFTEN)} --only"))
+    script.write_text(script.read_text().replace("--shard", f"{' '.join(OFTEN)} --shard"))
     for _ in range(2):
         with subprocess.Popen(job_of(endless)) as job:
             wait_for_steps(job, endless, committed_steps(endless) + 4000)

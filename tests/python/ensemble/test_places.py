@@ -138,7 +138,7 @@ def test_more_shards_than_an_array_has_jobs(tmp_path):
     text = script.read_text()
     assert "--array=0-999\n" in text
     # Each job takes every 1000th shard: with a program that only tells them.
-    tell = re.sub(r"\S+ ensemble -o .*--only", "echo", text)
+    tell = re.sub(r"\S+ ensemble -o .*--shard", "echo", text)
     assert "echo" in tell
     for job, shards in ((0, [0, 1000, 2000]), (499, [499, 1499, 2499]), (500, [500, 1500])):
         environment = {"SLURM_ARRAY_TASK_ID": str(job)}

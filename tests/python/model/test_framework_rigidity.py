@@ -202,7 +202,7 @@ def test_a_graph_takes_no_options_and_a_framework_needs_positions():
     )
 
 
-@pytest.mark.parametrize("more", [{"pin": "id A"}, {"bars": "angles"}, {"lengths": "table"}])
+@pytest.mark.parametrize("more", [{"pin": "id A"}, {"bars": "angles"}])
 def test_a_run_of_a_graph_ignores_no_option_of_molecules(more):
     name = next(iter(more))
     with pytest.raises(TypeError, match=f"run: {name} is for a structure, or a file of one"):

@@ -204,8 +204,6 @@ def test_frameworks_of_a_structure():
     assert angles.bar_count == 3
     assert angles.pinned.tolist() == [0]
     assert angles.inverse_masses.tolist() == [0, 1, 1]
-    table = structure.framework(lengths="table")
-    assert table.rest_lengths[0] == table.rest_lengths[1] != bonds.rest_lengths[1]
     with pytest.raises(pliant.OptionError, match="known: bonds, angles"):
         structure.framework("torsions")
     with pytest.raises(pliant.OptionError):

@@ -70,7 +70,6 @@ COMMANDS = {
     "check": "pliant.checks.command",
     "convert": "pliant.adapters.convert.command",
     "path": "pliant.jobs.path.command",
-    "representatives": "pliant.report.representatives_command",
 }
 
 #: rows of C++ for options that a command leaves out when they are not given

@@ -152,10 +152,10 @@ def damaged(request, good, tmp_path):
 
 
 def commands(path, good, tmp_path):
-    yield check, [path, "--no-picture", "--frames", "2", "--quiet"]
+    yield check, [path, "--frames", "2", "--quiet"]
     yield analyse, [path, "-o", tmp_path / "report", "--dpi", "50", "--quiet"]
-    yield compare, [good, path, "--no-picture"]
-    yield compare, [path, good, "--no-picture"]
+    yield compare, [good, path]
+    yield compare, [path, good]
 
 
 def test_no_command_ends_in_a_traceback(damaged, good, tmp_path, capsys, monkeypatch):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pliant recover: what it saves is what was recorded, and what it cannot save it names."""
+"""pliant convert --recover: what it saves was recorded, and what it cannot save it names."""
 
 import json
 import os
@@ -7,9 +7,10 @@ import os
 import h5py
 import numpy as np
 import pytest
+from pliant.adapters.convert.command import main
 from pliant.trajectory.record import read_record
 from pliant.trajectory.recording import read_recording
-from pliant.trajectory.recover.recover import main, recover
+from pliant.trajectory.recover.recover import recover
 
 import pliant
 
@@ -31,7 +32,7 @@ def positions(path):
 
 def test_a_whole_file_stays_what_it_is(good, tmp_path, capsys):
     out = tmp_path / "out.h5md"
-    assert main([str(good), "-o", str(out)]) == 0
+    assert main([str(good), "-o", str(out), "--recover"]) == 0
     assert capsys.readouterr().out.endswith("nothing was lost\n")
     assert np.array_equal(positions(out), positions(good))
     ours, theirs = pliant.H5mdReader(out), pliant.H5mdReader(good)
@@ -53,7 +54,7 @@ def test_a_file_cut_short_keeps_its_first_frames(good, tmp_path, capsys):
     cut.write_bytes(whole[:end])
     with pytest.raises(pliant.InputError, match=r"cut.h5md: is damaged: .* truncated file"):
         pliant.H5mdReader(cut)
-    assert main([str(cut), "-o", str(out)]) == 0
+    assert main([str(cut), "-o", str(out), "--recover"]) == 0
     said = capsys.readouterr().out
     assert f"lost: superblock: states {len(whole)} bytes, the file has {end}\n" in said
     kept = positions(out)
@@ -71,7 +72,7 @@ def test_frames_around_a_hole_are_saved(good, tmp_path, capsys):
     before = positions(good)
     with h5py.File(good, "r+") as file:
         file[VALUE][300, 1] = np.nan
-    assert main([str(good), "-o", str(out), "--json"]) == 0
+    assert main([str(good), "-o", str(out), "--json", "--recover"]) == 0
     report = json.loads(capsys.readouterr().out)
     assert report["lost"] == {"frame 300": "has coordinates that are not finite"}
     assert (report["frames"], report["frames_stated"]) == (599, 600)
@@ -106,8 +107,8 @@ def test_a_broken_superblock_is_mended(good, tmp_path):
 def test_nothing_to_save_makes_no_file(tmp_path, content, capsys):
     path, out = tmp_path / "no.h5md", tmp_path / "out.h5md"
     path.write_bytes(content)
-    assert main([str(path), "-o", str(out)]) == 1
-    wanted = f"pliant recover: error: {path}: no frame can be read"
+    assert main([str(path), "-o", str(out), "--recover"]) == 1
+    wanted = f"pliant convert: error: {path}: no frame can be read"
     assert capsys.readouterr().err.startswith(wanted)
     assert not out.exists()
 
@@ -115,12 +116,12 @@ def test_nothing_to_save_makes_no_file(tmp_path, content, capsys):
 def test_files_are_not_replaced_unasked(good, tmp_path, capsys):
     out = tmp_path / "out.h5md"
     out.write_text("mine")
-    assert main([str(good), "-o", str(out)]) == 1
+    assert main([str(good), "-o", str(out), "--recover"]) == 1
     assert capsys.readouterr().err.endswith(f"{out}: exists; --overwrite replaces it\n")
-    assert main([str(good), "-o", str(good), "--overwrite"]) == 2
+    assert main([str(good), "-o", str(good), "--overwrite", "--recover"]) == 2
     assert capsys.readouterr().err.endswith("is both input and output\n")
     assert out.read_text() == "mine"
     before = good.read_bytes()
-    assert main([str(good), "-o", str(out), "--overwrite"]) == 0
+    assert main([str(good), "-o", str(out), "--overwrite", "--recover"]) == 0
     assert good.read_bytes() == before
     assert sorted(os.listdir(tmp_path)) == ["good.h5md", "out.h5md"]

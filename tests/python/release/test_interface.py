@@ -20,7 +20,7 @@ FILES = {
     "src/pliant/base/log.hpp": HEADER,
     "tests/cli/help/pliant-run.help.txt": "  --seed N   a number\n",
     "tests/cli/help/pliant-run-all.help.txt": "  --seed N   a number\n",
-    "tests/cli/help/pliant-bench.help.txt": "  --rows N   a number\n",
+    "tests/cli/help/pliant-lab-bench.help.txt": "  --rows N   a number\n",
     "tests/python/record/promised_files.ref": "h5md: particles/mass\n",
 }
 
@@ -76,7 +76,7 @@ def test_the_laboratory_and_more_of_anything_break_nothing(tagged):
     write(
         tagged,
         {
-            "tests/cli/help/pliant-bench.help.txt": "",
+            "tests/cli/help/pliant-lab-bench.help.txt": "",
             "tests/python/pliant.pyi.ref": FILES["tests/python/pliant.pyi.ref"].replace(
                 "seed: int=0", "seed: str=0, steps: int=1"
             ),

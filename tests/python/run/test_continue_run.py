@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pliant.continue_run: the bits of one run in several parts; times of frames; --durable."""
+"""pliant.continue_run: the bits of one run in several parts; times of frames."""
 
 import h5py
 import numpy as np
@@ -18,7 +18,7 @@ def test_three_parts_are_the_whole(tmp_path, technique, perturb):
     pliant.run(WATER, output=tmp_path / "whole.h5md", steps=40, **options)
     pliant.run(WATER, output=tmp_path / "part.h5md", steps=11, **options)
     pliant.continue_run(tmp_path / "part.h5md", 25)
-    summary = pliant.continue_run(tmp_path / "part.h5md", 40, durable=True)
+    summary = pliant.continue_run(tmp_path / "part.h5md", 40)
     assert summary.converged
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
 

@@ -130,7 +130,7 @@ def test_another_topology_is_noticed(universe):
 
 def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
     timing = ("--steps", "100000", "--damping", "0.1", "--force", "30", "--seed", "12345")
-    options = ("--imd-version", "2", "--imd-wait", "--imd-kill")
+    options = ("--imd-version", "2", "--imd-wait")
     options += ("--technique", "bfs_cycle", "--mass-weighted")
     with served_run(COMMAND, tmp_path, *timing, *options) as run:
         vmd = VmdLike(run.port)
@@ -195,7 +195,7 @@ def test_nobody_who_looks_changes_a_run(tmp_path):
 
 
 def test_our_client_pulls_pauses_and_ends(tmp_path):
-    options = ("--steps", "1000000", "--imd-wait", "--imd-kill", "--force", "0", "--damping", "1")
+    options = ("--steps", "1000000", "--imd-wait", "--force", "0", "--damping", "1")
     with served_run(COMMAND, tmp_path, *options) as run, Client(port=run.port) as client:
         assert client.version == 3
         first = client.read()
@@ -221,21 +221,6 @@ def test_our_client_pulls_pauses_and_ends(tmp_path):
         assert last.step % 7 == 0
         client.close()
         assert run.end()[0] == 130
-
-
-def test_a_run_goes_on_whose_clients_may_not_end_it(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(watch, "ENDING", 0.0)
-    with served_run(COMMAND, tmp_path, "--steps", "1000000000", "--every", "1000000") as run:
-        assert watch.main([f":{run.port}", "--frames", "1", "--kill", "--json"]) == 1
-        assert capsys.readouterr().err == (
-            "pliant watch: error: --kill: the run goes on: expected one that clients may end "
-            "(pliant run --imd-kill)\n"
-        )
-        said = run.wait_for(r"^warning: IMD client \S+ (.*)$", run.process.stderr)
-        assert run.process.poll() is None
-    assert said == (
-        "asked the run to end (KILL), which clients may not: it goes on; --imd-kill allows it"
-    )
 
 
 def test_a_server_that_says_nothing_is_reported(capsys, monkeypatch):

@@ -23,7 +23,7 @@ def test_three_parts_are_the_whole(peptide, tmp_path, sampler):
     whole = pliant.sample(peptide, 9, output=tmp_path / "whole.h5md", **options)
     pliant.sample(peptide, 2, output=tmp_path / "part.h5md", **options)
     pliant.continue_sample(tmp_path / "part.h5md", 5, threads=2)
-    summary = pliant.continue_sample(tmp_path / "part.h5md", 9, durable=True)
+    summary = pliant.continue_sample(tmp_path / "part.h5md", 9)
     assert (summary.frames, summary.failed) == (4, 0)
     assert 0 <= summary.max_residual < 1e-10
     assert summary.rmsf.shape == (len(peptide.positions),)
@@ -69,7 +69,7 @@ def test_files_are_not_replaced_unasked(peptide, tmp_path):
     with pytest.raises(pliant.FileError, match="exists"):
         pliant.sample(peptide, 2, amplitude=0.4, output=path)
     assert path.read_text() == "mine"
-    pliant.sample(peptide, 2, amplitude=0.4, output=path, overwrite=True, single=True)
+    pliant.sample(peptide, 2, amplitude=0.4, output=path, overwrite=True)
     assert len(pliant.H5mdReader(path)) == 2
     with pytest.raises(pliant.OptionError, match=r"expected a name that ends in \.h5md"):
         pliant.sample(peptide, 2, output=tmp_path / "a.dcd")

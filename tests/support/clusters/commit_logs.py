@@ -1,13 +1,33 @@
 # SPDX-License-Identifier: MIT
-"""What a log of commits holds, read without Pliant."""
+"""What a log of commits holds, read without Pliant, and jobs that keep one, as shards do."""
 
+import json
 import struct
 import subprocess
+import tempfile
 import time
+import zlib
 from dataclasses import dataclass
+from pathlib import Path
+
+from ensembles import COMMAND
 
 #: starts of a command until a signal meets it at work, however late the signal is
 TRIES = 20
+
+_jobs = tempfile.TemporaryDirectory(prefix="pliant-jobs-")
+
+
+def words_of_job(task, job):
+    """The command that does a job, which stands in a file."""
+    text = json.dumps({"task": task, **{name: as_json(value) for name, value in job.items()}})
+    path = Path(_jobs.name) / f"{zlib.crc32(text.encode())}.json"
+    path.write_text(text)
+    return [str(COMMAND), task, "--job", str(path), "--json"]
+
+
+def as_json(value):
+    return str(value) if isinstance(value, Path) else value
 
 
 @dataclass

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Small fixed workloads that stand for pliant bench work-precision, throughput and step."""
+"""Small fixed workloads that stand for pliant lab bench work-precision, throughput and step."""
 
 from __future__ import annotations
 

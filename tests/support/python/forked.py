@@ -44,6 +44,13 @@ def commands():
     return found
 
 
+def called(words):
+    """Name of the program that `pliant WORDS` is, and the words for it."""
+    if words[:1] == ["lab"] and len(words) > 1:
+        return f"lab-{words[1]}", words[2:]
+    return words[0], words[1:]
+
+
 class Forks:
     """A process that has imported modules, and forks for each call."""
 
@@ -98,12 +105,15 @@ def is_forkable(words, env=None, cwd=None, timeout=None, **others):
     """Whether a fork does what subprocess.run(words, ...) does: a command in Python, no more."""
     env = os.environ if env is None else env
     changed = {name for name in {*env, *os.environ} if env.get(name) != os.environ.get(name)}
-    return bool(words) and words[0] in commands() and changed <= LATE_VARIABLES and not others
+    return (
+        bool(words) and called(words)[0] in commands() and changed <= LATE_VARIABLES and not others
+    )
 
 
 def ended_command(words, cwd=None, env=None, timeout=900):
     """What the command `pliant WORDS` would give, which is_forkable()."""
-    job = {"command": commands()[words[0]], "words": [*words], **surroundings(cwd, env)}
+    name, rest = called([*words])
+    job = {"command": commands()[name], "words": [name, *rest], **surroundings(cwd, env)}
     return subprocess.CompletedProcess(["pliant", *words], *forks(*HEAVY).run(job, timeout))
 
 

@@ -23,25 +23,25 @@ STEPS = ["--steps", "30"]
 # Each row is one after the other in one folder; what the last prints, and all files, are hashed.
 JOBS = [
     [[*RUN, *STEPS, "--record-forces", "forces.txt", "--seed", "3"]],
-    [[*RUN, *STEPS, "--single", "--compress", "--every", "7", "--damping", "0.2"]],
-    [[*RUN, *STEPS, "--pin", "name C1", "--lengths", "table", "--mass-weighted"]],
+    [[*RUN, *STEPS, "--precision", "1e-3", "--every", "7", "--damping", "0.2"]],
+    [[*RUN, *STEPS, "--pin", "name C1", "--mass-weighted"]],
     [[*RUN, *STEPS, "--perturb", "force_all", "--technique", "units", "--bars", "angles"]],
     [[*RUN, *TOGETHER, "--threads", "1"]],
     [[*RUN, *TOGETHER, "--threads", "2", "--technique", "newton"]],
     [
-        ["forcegen", CAFFEINE, "--count", "20", "--force", "200", "-o", "forces.txt"],
+        ["lab", "forcegen", CAFFEINE, "--steps", "20", "--force", "200", "-o", "forces.txt"],
         [*RUN, "--forces", "forces.txt", "--technique", "dfs_reverse"],
     ],
     [
-        ["order", CAFFEINE, "--ordering", "bfs_random", "--seed", "4", "-o", "ordering.txt"],
+        ["lab", "order", CAFFEINE, "--ordering", "bfs_random", "--seed", "4", "-o", "ordering.txt"],
         [*RUN, *STEPS, "--ordering", "ordering.txt"],
     ],
     [
-        ["structgen", "2-cycle-path", "--seed", "7", "-o", "graph.xml"],
+        ["lab", "structgen", "2-cycle-path", "--seed", "7", "-o", "graph.xml"],
         ["run", "graph.xml", "-o", "out.h5md", *STEPS, "--quiet", "--technique", "bfs_adapt"],
     ],
-    [["structgen", "--test-set", "set", "--graphs", "2", "--forces", "5", "--seed", "2"]],
-    [["techniques", "--json"]],
+    [["lab", "structgen", "--test-set", "set", "--graphs", "2", "--forces", "5", "--seed", "2"]],
+    [["lab", "techniques", "--json"]],
     [["run", CAFFEINE, "--technique", "none"]],
 ]
 
@@ -69,8 +69,8 @@ def small_jobs() -> list[list[list[str]]]:
     kinds = [row.name for row in pliant.graph_classes()]
     return [
         *([["info", file, "--json", "--bars", b]] for file in files for b in ("bonds", "angles")),
-        *([["order", CAFFEINE, "--ordering", name, "--seed", "9"]] for name in names),
-        *([["structgen", kind, "--seed", "5"]] for kind in kinds),
+        *([["lab", "order", CAFFEINE, "--ordering", name, "--seed", "9"]] for name in names),
+        *([["lab", "structgen", kind, "--seed", "5"]] for kind in kinds),
     ]
 
 

@@ -29,15 +29,13 @@ OPTIONS = {
     "amplitude": 0.3,
     "seed": 2**64 - 1,
     "threads": 2,
-    "network": "gnm",
     "contact_energy": 5.0,
-    "turn_amides": True,
+    "amides": True,
 }
-OF_OUTPUT = ({}, {"single": True}, {"compress": True}, {"precision": 0.01}, {"save": "name CA"})
+OF_OUTPUT = ({}, {"precision": 0.01}, {"save": "name CA"})
 OF_MODEL = (
     [], ["--model", "angles"], ["--free-torsions"], ["--keep-waters"], ["--all-hydrogens"],
-    ["--hbond-cutoff", "-3"], ["--select", "not element H"], ["--single"], ["--compress"],
-    ["--precision", "0.01"],
+    ["--hbond-cutoff", "-3"], ["--select", "not element H"], ["--precision", "0.01"],
 )  # fmt: skip  # a table: a row a line
 OF_PATH = ({}, {"atoms": "heavy"}, {"step": 0.1}, {"both": True}, {"backtrack": 2, "seed": 5})
 
@@ -108,15 +106,15 @@ def command_jobs() -> Iterator[list[list[str]]]:
         [
             word
             for name, value in options.items()
-            for word in (f"--{name.replace('_', '-')}", str(value))
+            for word in (f"--{name.replace('_', '-')}", *([] if value is True else [str(value)]))
         ]
         + ["--sampler", sampler]
         for sampler, options in rows()
+        if "first_frame" not in options  # of jobs alone
     ]
     for file in ("cyclic_hexapeptide.pdb", "caffeine.sdf"):
         for more in [*OF_MODEL, *words]:
             yield [["sample", file, *output, *more], go_on]
-        yield [["sample", file, *output, "--json", "--network", "anm", "--dry-run"]]
     yield [["sample", "caffeine.sdf", "--sampler", "torsions", "--amplitude", "2"]]
     yield [["sample", "caffeine.sdf", "--sampler", "tortions"]]
     yield [["sample", "caffeine.sdf", "--temperature", "12"]]

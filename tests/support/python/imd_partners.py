@@ -54,13 +54,9 @@ def job(words, folder):
 
 
 @contextmanager
-def served_run(command, folder, *options, molecule="peptide_20.pdb", patience=900):
-    """`pliant run` that listens; its output is run.h5md.
-
-    patience: seconds after which who reads nothing is dropped.
-    """
+def served_run(command, folder, *options, molecule="peptide_20.pdb"):
+    """`pliant run` that listens; its output is run.h5md."""
     words = [command, "run", MOLECULES / molecule, "-o", "run.h5md", "--imd", "0", *options]
-    words += ["--imd-timeout", patience]
     with job(words, folder) as run:
         run.port = int(run.wait_for(r"IMD version \d on \S+:(\d+)", run.process.stderr))
         yield run

@@ -60,7 +60,6 @@ TEST_F(Descriptors, WriteAndReadAtPositions) {
   EXPECT_EQ(read_from(file.get(), 9, 4), "") << "the end";
   EXPECT_TRUE(resize_file(file.get(), 3));
   EXPECT_TRUE(flush_contents(file.get()));
-  EXPECT_TRUE(sync_contents(file.get()));
   EXPECT_EQ(text("new"), "abX");
   EXPECT_EQ(facts_of(file.get())->size, 3u);
 }

@@ -93,10 +93,10 @@ TEST(RunJob, OptionsThatExcludeEachOtherAreRefused) {
     return test::error_text<OptionError>([&] { settle_walkers(job); });
   };
   EXPECT_EQ(refusal([](Job& job) { job.walkers.one_file = true; }),
-            "--one-file: is for several walkers; give --walkers or --shard");
+            "one_file: is for several walkers: give walkers or shard");
   EXPECT_EQ(refusal([](Job& job) { job.output.commits = "c"; }),
-            "--commits: goes with --one-file; other trajectories have --continue");
-  EXPECT_EQ(refusal([](Job& job) { job.given = {"period"}; }), "--period: goes with --rock");
+            "commits: goes with one_file; other trajectories have --continue");
+  EXPECT_EQ(refusal([](Job& job) { job.given = {"amplitude"}; }), "--amplitude: goes with --rock");
   EXPECT_EQ(refusal([](Job& job) {
               job.is_live = true;
               job.walkers.walkers = 2;

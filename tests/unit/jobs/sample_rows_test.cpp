@@ -110,7 +110,7 @@ TEST_P(SampleRows, EachGoesOnAsIfItHadNeverStopped) {
 TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
   std::set<std::string_view> idle;
   for (const SampleField& field : sample_fields())
-    if (field.users.file && field.name != "frames" && field.name != "turn_amides")
+    if (field.users.file && field.name != "frames" && field.name != "amides")
       idle.insert(field.name);
   const MolecularModel model = test::held_peptide();
   const test::TempDirectory folder;
@@ -136,12 +136,11 @@ TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
 /// A member more, and this does not compile: it needs a row, or a place among the last.
 TEST(SampleRows, EveryOptionHasOne) {
   SampleOptions options;
-  auto& [frames, first_frame, amplitude, amplitude_from, seed, threads, network, sampler,
-         near_frames, around, around_joints, contact_energy, ring_systems, turn_amides, should_stop,
-         log] = options;
-  const std::set<const void*> members{&frames,      &first_frame, &amplitude,      &amplitude_from,
-                                      &seed,        &threads,     &network,        &sampler,
-                                      &near_frames, &around,      &contact_energy, &turn_amides};
+  auto& [frames, first_frame, amplitude, amplitude_from, seed, threads, sampler, near_frames,
+         around, around_joints, contact_energy, ring_systems, amides, should_stop, log] = options;
+  const std::set<const void*> members{&frames, &first_frame, &amplitude,     &amplitude_from,
+                                      &seed,   &threads,     &sampler,       &near_frames,
+                                      &around, &amides,      &contact_energy};
   std::set<const void*> places;
   for (const SampleField& field : sample_fields()) places.insert(address_of(field.place(options)));
   EXPECT_EQ(places, members);

@@ -95,40 +95,6 @@ TEST(BuildFramework, TakesNoBondsAndNoAtoms) {
   EXPECT_EQ(build_framework({}).joint_count(), 0U);
 }
 
-TEST(BuildFramework, TakesLengthsFromTheTable) {
-  BuildOptions options;
-  options.lengths = LengthSource::table;
-  std::string message;
-  options.log.function = [&](Severity, std::string_view text) { message = text; };
-  Structure s = chain_of({{"C", {}}, {"C", {1, 0, 0}}, {"C", {2, 0, 0}}, {"C", {3, 0, 0}}});
-  s.bonds[0].order = 3;
-  s.bonds[1].order = 1;
-  s.bonds.push_back({0, 3, BondOrigin::link, 1});
-  const Framework f = build_framework(s, options);
-  EXPECT_THAT(f.rest_lengths(), ElementsAre(1.19, 1.53, DoubleNear(1.52, 1e-12), 1.53));
-  EXPECT_EQ(message,
-            "rest lengths of 1 of 4 bars are sums of covalent radii: no standard length is known");
-}
-
-TEST(BuildFramework, GivesPeptideBondsTheirLength) {
-  BuildOptions options;
-  options.lengths = LengthSource::table;
-  Structure s = chain_of({{"C", {}}, {"N", {1, 0, 0}}, {"H", {2, 0, 0}}});
-  s.bonds[0] = {0, 1, BondOrigin::link, 1};
-  EXPECT_THAT(build_framework(s, options).rest_lengths(), ElementsAre(1.33, 1.01));
-}
-
-TEST(BuildFramework, RefusesTableLengthsItCannotKnow) {
-  BuildOptions options;
-  options.lengths = LengthSource::table;
-  EXPECT_EQ(refusal<InputError>(chain_of({{"C", {}}, {"X", {1, 0, 0}}}), options),
-            "some.xyz: bar C(1) - X(2) has no standard length: element X has no covalent radius");
-  options.bars = BarKind::angles;
-  EXPECT_EQ(refusal<OptionError>(chain_of({{"C", {}}, {"C", {1, 0, 0}}}), options),
-            "lengths \"table\" is for bars \"bonds\" only: bars across angles have no standard "
-            "lengths");
-}
-
 TEST(BuildFramework, RefusesBarsOfNoLengthNamingBothAtoms) {
   EXPECT_EQ(refusal<InputError>(chain_of({{"C", {1, 2, 3}}, {"O", {1, 2, 3}}})),
             "some.xyz: bar C(1) - O(2) has length 0: both atoms are at (1.000, 2.000, 3.000)");

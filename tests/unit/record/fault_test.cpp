@@ -117,7 +117,7 @@ class FaultTable : public ::testing::TestWithParam<FaultCase> {
   const fs::path run_ = directory_ / "run.h5md";
   const Framework framework_ = straight_chain(GetParam().joints);
   const State start_ = straight(GetParam().joints);
-  const H5mdOptions recording_{.compress = GetParam().compress, .flush_seconds = 0.0};
+  const H5mdOptions recording_{.precision = GetParam().compress ? 1e-9 : 0.0, .flush_seconds = 0.0};
   RunOptions options_;
 };
 

@@ -240,7 +240,7 @@ void record(const std::filesystem::path& path, bool compress) {
   for (int k = 0; k < 20; ++k) header.parameters.emplace_back("run/n" + std::to_string(k), 0.5 * k);
   header.parameters.emplace_back("run/technique", std::string("blocks"));
   H5mdOptions options;
-  options.compress = compress;
+  if (compress) options.precision = 1e-9;
   options.flush_seconds = 0.0;
   H5mdRecorder recorder(path, named_chain(joints), header, options);
   for (int number = 0; number < 70; ++number) recorder.record(sample_frame(number, joints).frame);

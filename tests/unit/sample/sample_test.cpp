@@ -83,10 +83,6 @@ TEST(Sample, RefusesWhatItCannotSample) {
     return test::error_text<Error>([&] { sample(framework, start, nodes, options, {}); });
   };
   SampleOptions options;
-  options.network = "amn";
-  EXPECT_EQ(text(p.framework, p.start, p.nodes, options),
-            "no network named \"amn\"; known: shared, anm, pfanm, gnm");
-  options = {};
   options.amplitude = 0.0;
   EXPECT_EQ(text(p.framework, p.start, p.nodes, options),
             "amplitude = 0: must be positive and finite");

@@ -23,7 +23,6 @@ constexpr std::size_t forces_acting = 7;  ///< place among the energies
 
 ImdOptions ended_by_clients() {
   ImdOptions options = on_any_port();
-  options.kill = true;
   options.patience.reading = std::chrono::hours(1);
   options.patience.finish = Milliseconds(20);
   return options;

@@ -7,8 +7,10 @@ import argparse
 import sys
 from collections.abc import Sequence
 
+from pliant._core import OptionError
 from pliant.adapters.convert.write import convert
 from pliant.base import console
+from pliant.trajectory.recover.recover import recover
 
 EPILOG = """\
 The name of OUT says the format: .h5md, .pdb or .cif (one model per frame), .sdf (one record per
@@ -21,11 +23,22 @@ names of residues. DCD, XTC and TRR have only positions: open them with the PDB 
 run writes beside its trajectory. A Zarr store has positions(frame, atom, xyz) with names of atoms
 and residues, and walker and step of each frame: xarray.open_zarr("many.zarr").
 
+Representatives are chosen by k-medoids: by RMSD, superposed pair by pair, the frames are on average
+as close as possible to one of those chosen. Nothing is random. How many frames are closest to each
+says nothing about how often a shape occurs. pliant analyse --representatives takes other atoms
+to superpose, and trajectories of other programs.
+
+--recover keeps every frame of a damaged H5MD file that can be read, wherever it is, with its step
+and time, and the observables, names, bonds, bars and options that can be read; it says what was
+lost. Coordinates have no checksums: a wrong digit looks like a right one. IN is not changed.
+
 exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
 
 examples:
   pliant convert out.h5md -o out.xtc
   pliant convert out.h5md -o ca.pdb --select "name CA" --every 10 --superpose
+  pliant convert out.h5md -o twenty.pdb --representatives 20
+  pliant convert broken.h5md -o good.h5md --recover
   pliant convert many -o many.dcd          the folder of pliant ensemble, walker after walker
   pliant convert many -o many.zarr         for xarray: all of it, in one store
 """
@@ -48,8 +61,12 @@ def make_parser() -> console.Parser:
     add("--select", metavar="WORDS", default="", help=text)
     text = "only each Nth frame, from the first (default 1)"
     add("--every", metavar="N", type=console.whole_number(1), default=1, help=text)
+    text = "only N frames that represent all others: for docking, or to start simulations from"
+    add("-k", "--representatives", metavar="N", type=console.whole_number(1), help=text)
     text = "superpose each frame on the first, by least squares over these atoms"
     add("--superpose", action="store_true", help=text)
+    text = "copy what can be read of IN, an H5MD file that other commands call damaged"
+    add("--recover", action="store_true", help=text)
     add("--overwrite", action="store_true", help="replace an existing OUT")
     add("--json", action="store_true", help="print what was written as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")
@@ -69,11 +86,16 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _convert(arguments: argparse.Namespace) -> int:
+    if arguments.recover:
+        return _recover(arguments)
+    if arguments.representatives is not None and arguments.every != 1:
+        raise OptionError("--every, --representatives: expected one of the two")
     done = convert(
         arguments.file,
         arguments.output,
         select=arguments.select,
         every=arguments.every,
+        representatives=arguments.representatives,
         superpose=arguments.superpose,
         overwrite=arguments.overwrite,
     )
@@ -82,6 +104,19 @@ def _convert(arguments: argparse.Namespace) -> int:
     elif not arguments.quiet:
         frames = console.counted(done.frames, "frame")
         print(f"{done.path}: {frames} of {done.atoms} atoms, {done.format}")
+    return console.EXIT_OK
+
+
+def _recover(arguments: argparse.Namespace) -> int:
+    usual = make_parser().parse_args([arguments.file, "-o", arguments.output])
+    for name in ("select", "every", "representatives", "superpose"):
+        if getattr(arguments, name) != getattr(usual, name):
+            raise OptionError(f"--{name}: does not go with --recover")
+    recovery = recover(arguments.file, arguments.output, overwrite=arguments.overwrite)
+    if arguments.json:
+        console.print_json(vars(recovery))
+    elif not arguments.quiet:
+        print("\n".join(recovery.lines()))
     return console.EXIT_OK
 
 

@@ -7,7 +7,7 @@ import errno
 import os
 import pathlib
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,10 @@ from pliant.adapters.convert.moment import Moment
 from pliant.adapters.convert.zarr_store import write_zarr
 from pliant.base.extras import need
 from pliant.base.new_file import new_file, new_text
+from pliant.trajectory.files import file_of
 from pliant.trajectory.results import SampledEnsemble
+from pliant.trajectory.shards.frames import folder_of
+from pliant.trajectory.shards.plan import PLAN, is_ensemble
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.superposition import Superposition
 from pliant.trajectory.trajectory import HasFrames, Trajectory
@@ -46,6 +49,7 @@ def convert(
     *,
     select: str = "",
     every: int = 1,
+    representatives: int | None = None,
     superpose: bool = False,
     overwrite: bool = False,
 ) -> Converted:
@@ -62,6 +66,8 @@ def convert(
         Atoms that are written; "": all.
     every : int
         Only each so manyth frame, from the first.
+    representatives : int, optional
+        Instead: so many frames that stand for all others, in the order of the file.
     superpose : bool
         Each frame is laid on the first, by least squares over the atoms that are written.
     overwrite : bool
@@ -90,10 +96,14 @@ def convert(
     structure = trajectory.structure
     atoms = _chosen(structure, select)
     part = structure if len(atoms) == len(structure) else _part_of(structure, select)
-    if ending in (".h5md", ".h5") and isinstance(source, SampledEnsemble) and every == 1:
+    is_whole = every == 1 and representatives is None
+    if ending in (".h5md", ".h5") and isinstance(source, SampledEnsemble) and is_whole:
         source.record(output, overwrite=overwrite, save=select)  # with all that is known of it
         return Converted(os.fspath(output), name, len(trajectory), len(atoms))
-    frames = _frames(trajectory, atoms, every, superpose)
+    numbers: Sequence[int] = range(0, len(trajectory), every)
+    if representatives is not None:
+        numbers = _representatives(source, representatives)
+    frames = _frames(trajectory, atoms, numbers, superpose)
     count = write(os.fspath(output), part, frames, overwrite)
     return Converted(os.fspath(output), name, count, len(atoms))
 
@@ -123,11 +133,26 @@ def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
         return structure.select(select)
 
 
+def _representatives(source: HasFrames | Molecule, count: int) -> list[int]:
+    """Numbers of the frames."""
+    from pliant.measure.shapes.representatives import medoids
+    from pliant.measure.stages.analysis import AnalysisOptions
+    from pliant.measure.stages.opened import opened
+
+    path, _folder = file_of(source, "representatives")
+    if is_ensemble(path):
+        path = str(folder_of(pathlib.Path(path)) / PLAN)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found, _ = medoids(opened(AnalysisOptions(os.fspath(path))), count)
+    return sorted(int(number) for number in found.frames)
+
+
 def _frames(
-    trajectory: Trajectory, atoms: np.ndarray, every: int, superpose: bool
+    trajectory: Trajectory, atoms: np.ndarray, numbers: Iterable[int], superpose: bool
 ) -> Iterator[Moment]:
     fit: Superposition | None = None
-    for frame in range(0, len(trajectory), every):
+    for frame in numbers:
         positions = trajectory[frame][atoms]
         if superpose and fit is None:
             fit = Superposition(positions, np.ones(len(atoms)))

@@ -74,7 +74,7 @@ def start_of(path: str, structure: Structure, named: str | os.PathLike[str] | No
     """
     file = start_beside(path) if named is None else Path(named)
     if not file.is_file():
-        hint = "" if named is not None else "; name the start structure with --start"
+        hint = "" if named is not None else "; name the start structure with --reference"
         raise InputError(f"{file}: no such file{hint}")
     other = _core.read(os.fspath(file))
     if len(other) != len(structure):

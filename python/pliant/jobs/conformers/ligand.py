@@ -20,12 +20,7 @@ if TYPE_CHECKING:
 
 
 #: what says how a file is read, and how `read_text` calls that
-_READING = {
-    "format": "format",
-    "frame": "model",
-    "assembly": "assembly",
-    "distance_bonds": "distance_bonds",
-}
+_READING = {"frame": "model", "assembly": "assembly", "distance_bonds": "distance_bonds"}
 
 
 def read_ligand(text: str, place: str, kind: str, asked: Mapping[str, Any]) -> Structure:
@@ -34,7 +29,7 @@ def read_ligand(text: str, place: str, kind: str, asked: Mapping[str, Any]) -> S
     Raises as `read_text` and `part_of` do.
     """
     reading = {_READING[name]: value for name, value in asked.items() if name in _READING}
-    structure = _core.read_text(text, place, **{"format": kind, **reading})
+    structure = _core.read_text(text, place, format=kind, **reading)
     return part_of(structure, {k: v for k, v in asked.items() if k not in _READING})
 
 

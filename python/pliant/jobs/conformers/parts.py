@@ -10,7 +10,6 @@ import numpy as np
 
 from pliant._core import InputError, Structure
 from pliant.base.refusals import shown
-from pliant.jobs.conformers.options import ConformerOptions
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
@@ -19,19 +18,12 @@ HYDROGENS = ("H", "D", "T")
 COUNTER_IONS = frozenset("Li Na K Rb Cs Fr Be Mg Ca Sr Ba Ra".split())
 
 
-def kept_part(
-    parts: Sequence[Sequence[str]], options: ConformerOptions, place: str
-) -> tuple[int, str]:
+def kept_part(parts: Sequence[Sequence[str]], place: str) -> tuple[int, str]:
     """Which of several molecules, given by the elements of their atoms, is kept; and a note.
 
-    That with most heavy atoms, then most atoms; the first of equals. Raises InputError where all or
-    none are wanted, or where a metal that is no counter-ion would be left out.
+    That with most heavy atoms, then most atoms; the first of equals. Raises InputError where a
+    metal that is no counter-ion would be left out.
     """
-    if options.salts == "refuse":
-        raise InputError(
-            f"{place}: expected one molecule, found {len(parts)}; {options.dashes}salts largest "
-            "keeps the largest"
-        )
     sizes = [(sum(symbol not in HYDROGENS for symbol in one), len(one)) for one in parts]
     kept = max(range(len(parts)), key=lambda k: (*sizes[k], -k))
     _check_left_out(parts, kept, place)

@@ -83,7 +83,7 @@ def subject_of(record: Record, options: ConformerOptions) -> Subject:
     )
     parts, labels = block.components(), numbered(structure.symbols)
     if len(parts) > 1:
-        kept, said = kept_part(_symbols(structure, parts), options, record.place)
+        kept, said = kept_part(_symbols(structure, parts), record.place)
         labels = [labels[k] for k in parts[kept]]
         notes.append(said)
         block = block.part(parts[kept])
@@ -136,7 +136,7 @@ def subject_of_mol(
     labels = labels_of(molecule)
     if len(parts) > 1:
         symbols = [[atom.GetSymbol() for atom in part.GetAtoms()] for part in parts]
-        kept, said = kept_part(symbols, options, place)
+        kept, said = kept_part(symbols, place)
         notes.append(said)
         molecule = parts[kept]
         labels = [labels[k] for k in Chem.GetMolFrags(whole)[kept]]
@@ -169,7 +169,7 @@ def subject_of_structure(
     block = block_of(structure)
     parts, notes, labels = block.components(), list[str](), names_of(structure)
     if len(parts) > 1:
-        largest, said = kept_part(_symbols(structure, parts), options, place)
+        largest, said = kept_part(_symbols(structure, parts), place)
         kept = parts[largest]
         labels = [labels[k] for k in kept]
         notes.append(said)

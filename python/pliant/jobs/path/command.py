@@ -30,7 +30,7 @@ held on the way; those in only one of them, or of unmatched atoms, are not held.
 and metals are matched by chain, number and name. Bonds, angles and planar groups are those of
 START, exact in each frame, and atoms do not overlap.
 
---select, --frame, --format, --contacts and --floppy-below are about START; all other options under
+--select, --frame, --contacts and --floppy-below are about START; all other options under
 Molecule and Model hold for END, too. Contacts that are given replace those found in START.
 
 If the direct path does not reach END, parts that keep their shape are rotated as rigid bodies,

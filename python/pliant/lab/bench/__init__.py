@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""How fast, how accurate, how stable: ``pliant bench``, with OpenMM's CCMA in the same process."""
+"""How fast, how accurate, how stable: ``pliant lab bench``, with OpenMM's CCMA in one process."""

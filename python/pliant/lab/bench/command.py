@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench``: run time against error and size, steps, hard cases, ensembles."""
+"""``pliant lab bench``: run time against error and size, steps, hard cases, ensembles."""
 
 from __future__ import annotations
 
@@ -14,15 +14,13 @@ from pliant.base import console
 from pliant.lab.bench import subcommands
 
 EPILOG = """\
-pliant bench SUBCOMMAND --help explains each.
+pliant lab bench SUBCOMMAND --help explains each.
 
 examples:
-  pliant bench work-precision protein.pdb -o race.png
-  pliant bench scaling --sizes 1e3,1e4,1e5
-  pliant bench throughput protein.pdb
-  pliant bench stress
-  pliant bench validity
-  pliant bench coverage --data pairs
+  pliant lab bench work-precision protein.pdb -o race.png
+  pliant lab bench throughput protein.pdb
+  pliant lab bench validity
+  pliant lab bench coverage --data pairs
 """
 
 
@@ -35,12 +33,12 @@ def modules() -> dict[str, ModuleType]:
 
 
 def make_parser() -> console.Parser:
-    """What pliant bench itself takes: the name of a subcommand."""
+    """What pliant lab bench itself takes: the name of a subcommand."""
     known = modules()
     width = max(map(len, known))
     rows = "\n".join(f"  {name.ljust(width)}  {row.SUMMARY}" for name, row in known.items())
     parser = console.Parser(
-        "bench",
+        "lab bench",
         "Measures Pliant, with OpenMM's CCMA in the same run. Trust the ratios within one run:\n"
         "times depend on the machine and on its other load.\n\n"
         f"subcommands:\n{rows}",
@@ -66,12 +64,12 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _run(name: str, row: ModuleType, words: list[str]) -> int:
-    parser = console.Parser(f"bench {name}", row.DESCRIPTION, row.EPILOG)
+    parser = console.Parser(f"lab bench {name}", row.DESCRIPTION, row.EPILOG)
     row.add_options(parser)
     parser.add_argument("--json", action="store_true", help="print the result as one JSON object")
     parser.add_argument("--quiet", action="store_true", help="show no progress")
     arguments = parser.parse_args(words)
-    return console.run_command(f"bench {name}", lambda: int(row.run(arguments)))
+    return console.run_command(f"lab bench {name}", lambda: int(row.run(arguments)))
 
 
 if __name__ == "__main__":

@@ -99,7 +99,7 @@ def scaling(
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> Scaling:
     """Measures each kind at each size, each in a process of its own."""
-    need("pliant bench scaling", "scipy")
+    need("pliant lab bench scaling", "scipy")
     for kind in kinds:
         if kind not in KINDS:
             raise pliant.OptionError(f'no kind named "{kind}"; known: {", ".join(KINDS)}')

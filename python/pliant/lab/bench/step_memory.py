@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Memory of a scene of ``pliant bench step``: in a process of its own, less the interpreter's.
+"""Memory of a scene of ``pliant lab bench step``: in a process of its own, less the interpreter's.
 
 Run as ``python -m pliant.lab.bench.step_memory`` with a JSON object of options; prints another.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What ``pliant bench step`` pushes: frameworks and molecules of any size, and those of files."""
+"""What ``pliant lab bench step`` pushes: frameworks, molecules of any size, and those of files."""
 
 from __future__ import annotations
 

@@ -101,7 +101,7 @@ def stress(
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> Stress:
     """Tries all techniques, or those named, on all cases."""
-    need("pliant bench stress", "openmm", "scipy", extra="lab")
+    need("pliant lab bench stress", "openmm", "scipy", extra="lab")
     for name in techniques:
         pliant.Resolver(pliant.Framework([[0, 1]], [1.0]), name)  # refuses unknown names
     found = Stress([])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What repairing is tried on where it is hard: the table of cases of ``pliant bench stress``."""
+"""What repairing is tried on where it is hard: the cases of ``pliant lab bench stress``."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""More cases of ``pliant bench stress``: large, redundant, from peers, long runs; and all."""
+"""More cases of ``pliant lab bench stress``: large, redundant, from peers, long runs; and all."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from pliant.lab.bench.stress_cases import (
 )
 
 FEW_SWEEPS = 20  #: of large frameworks: enough to see that nothing breaks
-STEPS, FULL_STEPS = 10_000, 10_000_000
+STEPS = 10_000
 
 
 def large(shrink: int) -> Iterator[Case]:

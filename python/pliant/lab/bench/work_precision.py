@@ -55,7 +55,7 @@ def work_precision(
     `techniques` are names in ``pliant.techniques()``, or all. Raises InputError, OptionError or
     FileError for what the user gave wrong.
     """
-    need("pliant bench work-precision", "scipy")
+    need("pliant lab bench work-precision", "scipy")
     target = read_target(path, bars)
     ours = list(our_contenders(target, techniques, mass_weighted))
     theirs, note = their_contenders(target) if openmm else ([], "OpenMM was not asked to take part")

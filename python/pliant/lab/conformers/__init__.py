@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Conformers beside those of RDKit and CDPKit, against known ones: ``pliant bench conformers``."""
+"""Conformers beside RDKit's and CDPKit's, against known ones: ``pliant lab bench conformers``."""

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Whether the ensemble of one structure contains another known one: ``pliant bench coverage``."""
+"""Whether the ensemble of a structure contains another known one: ``pliant lab bench coverage``."""

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""``pliant experiment``: techniques on random graphs, and what the thesis claims of them."""
+"""``pliant lab experiment``: techniques on random graphs, and what the thesis claims of them."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant experiment``: techniques on random graphs, on the command line."""
+"""``pliant lab experiment``: techniques on random graphs, on the command line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pliant import OptionError
 from pliant.base import console
 from pliant.lab.experiment.options import add_running
 from pliant.lab.experiment.pool import usable_cores
@@ -27,26 +26,26 @@ Writes table.csv and table.h5 into DIR (the same options give the same bytes), a
 each resolve into seconds.csv and seconds.h5: paste -d, DIR/table.csv DIR/seconds.csv. After a kill
 at any moment, the same command continues where it stopped.
 
-pliant experiment report DIR   draw the results and judge the claims of the thesis, on one HTML page
-pliant experiment sweep DIR    find for which tolerances, forces, sizes and boxes each claim holds
+pliant lab experiment report DIR   draw the results and judge the claims of the thesis, on a page
+pliant lab experiment sweep DIR    find for which tolerances, forces, sizes, boxes each claim holds
 
 Exit code: 0 if the table is complete, 1 if a file cannot be read or written or a test set holds
 different results, 2 for a bad option.
 
 examples:
-  pliant experiment -o study --seed 1
-  pliant experiment -o study --folders thesis-set
-  pliant experiment -o fine --tolerance-length 1e-4 --class 1-cycle-ring --technique bfs_cycle
+  pliant lab experiment -o study --seed 1
+  pliant lab experiment -o study --test-set thesis-set
+  pliant lab experiment -o fine --tolerance-length 1e-4 --class 1-cycle-ring --technique bfs_cycle
 """
 
 #: options that --help shows
-COMMON = ("--output", "--graphs", "--technique", "--folders", "--seed")
+COMMON = ("--output", "--graphs", "--technique", "--test-set", "--seed")
 
 
 def make_parser() -> console.Parser:
-    """The options of pliant experiment."""
+    """The options of pliant lab experiment."""
     parser = console.Parser(
-        "experiment",
+        "lab experiment",
         "Applies the same random forces to the same random graphs, restores the broken bars with\n"
         "every technique and weighting, and writes one tidy table (thesis, chapter 5).",
         EPILOG,
@@ -139,15 +138,9 @@ def _add_test_set(parser: console.Parser) -> None:
         "--test-set",
         metavar="FOLDER",
         type=Path,
-        help="take graphs, forces and settings from a test set (pliant structgen --test-set) and "
-        "write the results into its folders; results already there are compared",
-    )
-    add(
-        "--folders",
-        metavar="FOLDER",
-        type=Path,
-        help="also write the results into a test set; if FOLDER does not exist, it is made from "
-        "the same graphs and forces",
+        help="take graphs, forces and settings from a test set (pliant lab structgen --test-set) "
+        "and write the results into its folders; results already there are compared. If FOLDER "
+        "does not exist, it is made from the graphs and forces of this experiment",
     )
 
 
@@ -160,7 +153,7 @@ def main(words: Sequence[str] | None = None) -> int:
         run = report_command.report_main if words[0] == "report" else report_command.sweep_main
         return run(words[1:])
     arguments = make_parser().parse_args(words)
-    return console.run_command("experiment", lambda: _experiment(arguments))
+    return console.run_command("lab experiment", lambda: _experiment(arguments))
 
 
 def settings_of(arguments: argparse.Namespace, start: Settings | None = None) -> Settings:
@@ -181,8 +174,7 @@ def _experiment(arguments: argparse.Namespace) -> int:
     options["workers"] = arguments.workers or usable_cores()
     with console.progress("experiment, graphs", arguments.quiet) as show:
         table = laboratory.run_experiment(settings, arguments.output, show=show, **options)
-    folder = arguments.test_set or arguments.folders
-    filled = folders.fill(folder, table) if folder else None
+    filled = folders.fill(arguments.test_set, table) if arguments.test_set else None
     _say(arguments, table, filled, time.monotonic() - begin)
     return console.EXIT_FAILED if filled and filled.different else console.EXIT_OK
 
@@ -191,26 +183,18 @@ def _sources(arguments: argparse.Namespace) -> tuple[Settings, dict[str, Any]]:
     """Settings, and where graphs and forces come from."""
     from pliant.lab.experiment import folders
 
-    if arguments.test_set is None:
+    folder: Path | None = arguments.test_set
+    of_the_set = ("graphs", "forces", "classes", "consecutive", *folders.OF_THE_SET)
+    is_said = any(getattr(arguments, name, None) is not None for name in of_the_set)
+    if folder is None or is_said or not folder.exists():
         settings = settings_of(arguments)
         settings.check()
-        if arguments.folders is not None:
-            made = arguments.folders.exists()
-            (folders.check_set if made else folders.make_set)(settings, arguments.folders)
+        if folder is not None:
+            (folders.check_set if folder.exists() else folders.make_set)(settings, folder)
         return settings, {}
-    _refuse_what_the_set_says(arguments)
-    settings = settings_of(arguments, folders.settings_of_set(arguments.test_set))
-    source = functools.partial(folders.subject_of_set, arguments.test_set)
-    return settings, {"graphs": folders.graphs_of_set(arguments.test_set), "source": source}
-
-
-def _refuse_what_the_set_says(arguments: argparse.Namespace) -> None:
-    from pliant.lab.experiment.folders import OF_THE_SET
-
-    for name in ("folders", "graphs", "forces", "classes", "consecutive", *OF_THE_SET):
-        if getattr(arguments, name, None) is not None:
-            option = {"classes": "class"}.get(name, name).replace("_", "-")
-            raise OptionError(f"--{option}: not with --test-set, which says it")
+    settings = settings_of(arguments, folders.settings_of_set(folder))
+    source = functools.partial(folders.subject_of_set, folder)
+    return settings, {"graphs": folders.graphs_of_set(folder), "source": source}
 
 
 def _say(
@@ -226,14 +210,14 @@ def _say(
     where = console.printable_name(arguments.output)
     print(f"{where}: {count} resolves, {stuck} of them not converged; {seconds:.1f} s")
     if filled:
-        folder = console.printable_name(arguments.test_set or arguments.folders)
+        folder = console.printable_name(arguments.test_set)
         print(
             f"{folder}: {filled.written} results written, {filled.same} there already and the "
             f"same, {len(filled.different)} different"
         )
         for path in filled.different:
             console.warn(f"{path}: holds other numbers; they were left")
-    print(f"next: pliant experiment report {where}")
+    print(f"next: pliant lab experiment report {where}")
 
 
 if __name__ == "__main__":

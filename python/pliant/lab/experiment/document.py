@@ -52,7 +52,7 @@ style-src 'unsafe-inline'">
 <body>
 <main>
 <header>
-<p class="eyebrow">pliant experiment</p>
+<p class="eyebrow">pliant lab experiment</p>
 <h1>{escape(title)}</h1>
 <p class="subtitle">{escape(subtitle)}</p>
 <nav>{links}</nav>

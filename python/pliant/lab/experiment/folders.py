@@ -58,7 +58,7 @@ def check_set(settings: Settings, folder: Path) -> None:
     asked = {name: getattr(settings, name) for name in names}
     differences = theirs.differences(dataclasses.replace(theirs, **asked))
     if differences:
-        raise OptionError(f"--folders {folder}: holds another test set: {'; '.join(differences)}")
+        raise OptionError(f"--test-set {folder}: holds another test set: {'; '.join(differences)}")
 
 
 def settings_of_set(folder: Path) -> Settings:

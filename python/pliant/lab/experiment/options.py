@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Options that all of pliant experiment has."""
+"""Options that all of pliant lab experiment has."""
 
 from __future__ import annotations
 

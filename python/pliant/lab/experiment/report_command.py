@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant experiment report`` and ``pliant experiment sweep``, on the command line."""
+"""``pliant lab experiment report`` and ``pliant lab experiment sweep``, on the command line."""
 
 from __future__ import annotations
 
@@ -23,29 +23,29 @@ Exit code: 0 if the report is written, 1 if the table cannot be read, a file can
 question could not be answered, 2 for a bad option.
 
 examples:
-  pliant experiment report study
-  pliant experiment report study --no-questions --no-sweep
+  pliant lab experiment report study
+  pliant lab experiment report study --no-questions --no-sweep
 """
 
 SWEEP_EPILOG = """\
 Writes sweep.csv into DIR: how many of a claim's statements hold, for each setting, claim and
-yardstick. pliant experiment report draws it.
+yardstick. pliant lab experiment report draws it.
 
 examples:
-  pliant experiment sweep study
+  pliant lab experiment sweep study
 """
 
 
 def make_report_parser() -> console.Parser:
-    """The options of pliant experiment report."""
+    """The options of pliant lab experiment report."""
     parser = console.Parser(
-        "experiment report",
+        "lab experiment report",
         "Draws the thesis' figures from the table of an experiment, judges its sixteen claims on\n"
         "that table and over a range of settings, and answers its open questions. Writes one\n"
         "HTML page.",
         REPORT_EPILOG,
     )
-    parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant experiment")
+    parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant lab experiment")
     parser.add_argument("--no-sweep", action="store_true", help="leave out the range of settings")
     parser.add_argument("--no-questions", action="store_true", help="leave out the open questions")
     parser.add_argument(
@@ -56,14 +56,14 @@ def make_report_parser() -> console.Parser:
 
 
 def make_sweep_parser() -> console.Parser:
-    """The options of pliant experiment sweep."""
+    """The options of pliant lab experiment sweep."""
     parser = console.Parser(
-        "experiment sweep",
+        "lab experiment sweep",
         "Repeats the experiment of DIR for a range of tolerances, forces, graph sizes and boxes,\n"
         "and says where each claim of the thesis holds.",
         SWEEP_EPILOG,
     )
-    parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant experiment")
+    parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant lab experiment")
     parser.add_argument(
         "--quick", action="store_true", help="small sizes: for a look, not to be cited"
     )
@@ -72,15 +72,15 @@ def make_sweep_parser() -> console.Parser:
 
 
 def report_main(words: Sequence[str]) -> int:
-    """Runs pliant experiment report; returns its exit code."""
+    """Runs pliant lab experiment report; returns its exit code."""
     arguments = make_report_parser().parse_args(words)
-    return console.run_command("experiment report", lambda: _report(arguments))
+    return console.run_command("lab experiment report", lambda: _report(arguments))
 
 
 def sweep_main(words: Sequence[str]) -> int:
-    """Runs pliant experiment sweep; returns its exit code."""
+    """Runs pliant lab experiment sweep; returns its exit code."""
     arguments = make_sweep_parser().parse_args(words)
-    return console.run_command("experiment sweep", lambda: _sweep(arguments))
+    return console.run_command("lab experiment sweep", lambda: _sweep(arguments))
 
 
 def _report(arguments: argparse.Namespace) -> int:

@@ -32,7 +32,8 @@ class Settings:
     """All that the table depends on; equal settings give equal tables.
 
     Thesis, chapter 5: 20 graphs a class, 50 forces a graph, three weightings. It gives no sizes,
-    force, tolerance or limit: those are Pliant's own, and ``pliant experiment sweep`` varies them.
+    force, tolerance or limit: those are Pliant's own, and ``pliant lab experiment sweep`` varies
+    them.
     """
 
     seed: int = 0

@@ -213,4 +213,4 @@ def read_sweep(out: Path) -> list[Point]:
                 for row in csv.DictReader(file)
             ]
     except (TypeError, ValueError) as error:
-        raise InputError(f"{path}: no table of pliant experiment sweep: {error}") from error
+        raise InputError(f"{path}: no table of pliant lab experiment sweep: {error}") from error

@@ -143,7 +143,7 @@ def read(folder: Path) -> Table:
     """
     path = folder / TABLE_H5
     if not path.is_file():
-        raise FileError(f"{path}: no such file: run pliant experiment -o {folder} first")
+        raise FileError(f"{path}: no such file: run pliant lab experiment -o {folder} first")
     try:
         with h5py.File(path, "r") as file:
             settings = Settings.from_text(file.attrs["settings"])
@@ -151,5 +151,5 @@ def read(folder: Path) -> Table:
     except OSError as error:
         raise FileError(f"{path}: cannot be read: {error}") from error
     except (KeyError, TypeError, ValueError) as error:
-        raise InputError(f"{path}: no table of pliant experiment: {error}") from error
+        raise InputError(f"{path}: no table of pliant lab experiment: {error}") from error
     return Table(settings, columns)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What ``pliant bench validity`` measures: sampled ensembles beside experiment, MD and peers."""
+"""What ``pliant lab bench validity`` measures: ensembles beside experiment, MD and peers."""

@@ -264,7 +264,7 @@ def validity(
     known = ladder.groups()
     for name in names:
         if name not in known:
-            raise OptionError(f"--rows: no group is named '{name}'; known: {', '.join(known)}")
+            raise OptionError(f"--only: no group is named '{name}'; known: {', '.join(known)}")
     chosen = [name for name in known if name in names or not names]
     for k, name in enumerate(chosen):
         progress(k, len(chosen))

@@ -32,7 +32,6 @@ class AnalysisOptions:
     select: str = "all"  #: atoms that are analysed, in MDAnalysis' selection language
     superpose: str | None = None  #: atoms that are fitted and enter the PCA; None: chosen
     mass_weighted: bool = False  #: PCA
-    hydrogens: bool = False  #: also torsions that turn nothing but hydrogens
     start: int | None = None
     stop: int | None = None
     step: int | None = None

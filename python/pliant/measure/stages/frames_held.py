@@ -76,7 +76,7 @@ def _whole_frames(
     wanted = wanted if wanted.step > 0 else wanted[::-1]
     chosen = np.array(range(wanted.start, min(wanted.stop, whole), wanted.step), dtype=int)
     if len(chosen) == 0:
-        raise OptionError(f"--start, --stop, --step: choose none of the {count} frames")
+        raise OptionError(f"frames: choose none of the {count} frames")
     return chosen, notes
 
 

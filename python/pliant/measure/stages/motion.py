@@ -125,8 +125,7 @@ def torsions(analysis: Analysis, runner: Runner) -> Iterator[Torsions]:
         if analysis.stored.joints_of_whole:
             raise ValueError("there are no bonds among the recorded atoms")
         bonds = record.bars if record else None
-    heavy_only = not analysis.options.hydrogens
-    measured = TorsionDistributions(analysis.atoms, bonds=bonds, heavy_only=heavy_only)
+    measured = TorsionDistributions(analysis.atoms, bonds=bonds, heavy_only=True)
     if not measured.torsions:
         raise ValueError("no bond is rotatable: each is in a ring or at an end of the molecule")
     runner.run(measured)

@@ -158,7 +158,7 @@ class Client:
         self._send(Type.WAIT, int(waits))
 
     def kill(self) -> None:
-        """Asks the run to end, which it need not do: ``pliant run`` does with ``--imd-kill``.
+        """Asks the run to end; ``pliant run`` does, unless other machines can reach it.
 
         Frames under way still come.
         """

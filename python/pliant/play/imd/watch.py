@@ -7,7 +7,6 @@ import argparse
 import sys
 import time
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -19,7 +18,6 @@ from pliant.play.imd.client import Client, ImdFrame
 
 USUAL_PORT = 8888
 GREETING, SILENCE = 10.0, 60.0  #: seconds that a server may take for its first word, and for others
-ENDING = 10.0  #: seconds that a run may go on sending frames after it was asked to end
 
 EPILOG = """\
 Follows any program that speaks IMD, version 2 or 3: pliant run --imd, gmx mdrun -imdwait, LAMMPS,
@@ -27,13 +25,13 @@ NAMD. Pliant sends the largest residual (how far the worst bar is off) and the n
 (visits to all bars) in the fields for total and bond energies; other programs send energies there.
 Ctrl-C leaves; the run goes on.
 
-exit codes: 0 the run has ended, or --frames have arrived, 1 no server there, it does not speak
-IMD, or it goes on in spite of --kill, 2 bad option, 130 left by Ctrl-C
+exit codes: 0 the run has ended, or --frames have arrived, 1 no server there, or it does not speak
+IMD, 2 bad option, 130 left by Ctrl-C
 
 examples:
   pliant run protein.pdb -o out.h5md --steps 100000 --imd &
   pliant watch localhost:8888
-  pliant watch localhost:8888 --record seen.h5md --topology out.pdb --frames 1000
+  pliant watch localhost:8888 -o seen.h5md --topology out.pdb --frames 1000
 """
 
 
@@ -45,12 +43,11 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     text = "address of the run; :PORT alone means this machine"
     add("server", metavar="HOST:PORT", type=server_address, help=text)
-    add("--record", metavar="FILE", help="record what arrives in this H5MD trajectory")
-    add("--topology", metavar="PDB", help="names and bonds of its atoms; --record needs it")
+    add("-o", "--output", metavar="FILE", help="record what arrives in this H5MD trajectory")
+    add("--topology", metavar="PDB", help="names and bonds of its atoms; --output needs it")
     add("--frames", metavar="N", type=console.whole_number(1), help="leave after this many frames")
     text = "ask for every N-th step (default: as the run sends them)"
-    add("--rate", metavar="N", type=console.whole_number(1), help=text)
-    add("--kill", action="store_true", help="end the run on leaving; it must allow it (--imd-kill)")
+    add("--every", metavar="N", type=console.whole_number(1), help=text)
     add("--overwrite", action="store_true", help="replace an existing trajectory")
     add("--json", action="store_true", help="print what was seen as one JSON object")
     return parser
@@ -134,28 +131,28 @@ def _watch(arguments: argparse.Namespace) -> int:
 
 
 def _check_record(arguments: argparse.Namespace) -> None:
-    if (arguments.record is None) != (arguments.topology is None):
-        raise OptionError("--record and --topology go together")
-    if arguments.record is None:
+    if (arguments.output is None) != (arguments.topology is None):
+        raise OptionError("--output and --topology go together")
+    if arguments.output is None:
         return
-    check_trajectory_name(arguments.record)
-    if is_pdb_name(arguments.record):
-        raise OptionError(f"--record {arguments.record}: expected a name that ends in .h5md")
-    if Path(arguments.record).exists() and not arguments.overwrite:
-        raise OptionError(f"--record {arguments.record}: exists; --overwrite replaces it")
+    check_trajectory_name(arguments.output)
+    if is_pdb_name(arguments.output):
+        raise OptionError(f"--output {arguments.output}: expected a name that ends in .h5md")
+    if Path(arguments.output).exists() and not arguments.overwrite:
+        raise OptionError(f"--output {arguments.output}: exists; --overwrite replaces it")
 
 
 def _follow(arguments: argparse.Namespace, seen: Seen) -> None:
     recorder = None
-    if arguments.record:
+    if arguments.output:
         structure = read(arguments.topology)
-        recorder = _Recorder(structure, arguments.record, arguments.overwrite)
+        recorder = _Recorder(structure, arguments.output, arguments.overwrite)
     host, port = arguments.server
     screen = _Screen(arguments.json)
     try:
         with _reached(host, port) as client:
-            if arguments.rate:
-                client.set_rate(arguments.rate)
+            if arguments.every:
+                client.set_rate(arguments.every)
             for frame in client:
                 seen.add(frame)
                 screen.show(seen, frame)
@@ -163,8 +160,6 @@ def _follow(arguments: argparse.Namespace, seen: Seen) -> None:
                     recorder.record(frame)
                 if seen.frames == arguments.frames:
                     break
-            if arguments.kill:
-                _kill(client)
     finally:
         if recorder:
             recorder.close()
@@ -182,26 +177,13 @@ def _reached(host: str, port: int) -> Client:
     return client
 
 
-def _kill(client: Client) -> None:
-    """Returns once the run has ended. Raises InputError if it goes on."""
-    client.kill()
-    end = time.monotonic() + ENDING
-    with suppress(ConnectionError):
-        for _ in client:
-            if time.monotonic() > end:
-                raise InputError(
-                    "--kill: the run goes on: expected one that clients may end "
-                    "(pliant run --imd-kill)"
-                )
-
-
 class _Recorder:
     """Frames of a server as frames of ours."""
 
     def __init__(self, structure: Structure, path: str, overwrite: bool) -> None:
         self._atoms = len(structure)
         self._recorder = H5mdRecorder(
-            path, structure.framework(), structure=structure, overwrite=overwrite, single=True
+            path, structure.framework(), structure=structure, overwrite=overwrite
         )
         self._count = 0
 
@@ -237,5 +219,5 @@ def _print(seen: Seen, arguments: argparse.Namespace) -> None:
     print(f"steps           {seen.first_step} to {seen.last_step}")
     print(f"residual        {seen.worst_residual:.2e} at most")
     print(f"sweeps per step {seen.mean_sweeps:.1f} on average")
-    if arguments.record:
-        print(f"trajectory      {console.printable_name(arguments.record)}")
+    if arguments.output:
+        print(f"trajectory      {console.printable_name(arguments.output)}")

@@ -19,7 +19,7 @@ better than that. How far OURS goes (--amplitude of pliant sample) was an input,
 move, and in what directions, counts.
 
 examples:
-  pliant compare out.h5md nmr_models.pdb
+  pliant compare out.h5md nmr_models.pdb -o pictures
   pliant compare out.h5md 4ake.cif 1ake.pdb.gz 2eck.cif
   pliant compare out.h5md dynamics.dcd
   pliant compare opening.h5md dims.dcd --path
@@ -54,7 +54,7 @@ def make_parser() -> console.Parser:
     add("--select", metavar="TEXT", default="all", help=text)
     text = "frames to read of each at most, evenly spaced, or all (default 2000; 500 with --path)"
     add("--frames", metavar="N", type=console.whole_number(2, "all"), help=text)
-    text = "folder for the pictures (default: that of OURS)"
+    text = "draw pictures into this folder"
     add("-o", "--output", metavar="FOLDER", type=pathlib.Path, help=text)
     add(
         "--path",
@@ -62,7 +62,6 @@ def make_parser() -> console.Parser:
         help="compare OURS and one file of THEIRS as paths: mean nearest, Hausdorff and "
         "Frechet distances of their frames, beside those of a straight line",
     )
-    add("--no-picture", action="store_true", help="draw no picture")
     add("--json", action="store_true", help="print the comparison as one JSON object")
     return parser
 
@@ -79,14 +78,13 @@ def _compare(arguments: argparse.Namespace) -> int:
     from pliant.report.compare.report import as_json, print_report
     from pliant.report.compare.suite import FRAMES, compare
 
-    folder = arguments.output or pathlib.Path(arguments.ours).parent
     report = compare(
         arguments.ours,
         arguments.theirs,
         topology=arguments.topology,
         select=arguments.select,
         frames=FRAMES if arguments.frames is None else arguments.frames,
-        pictures=None if arguments.no_picture else folder,
+        pictures=arguments.output,
     )
     if arguments.json:
         console.print_json(as_json(report))

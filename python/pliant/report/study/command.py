@@ -7,19 +7,25 @@ import argparse
 import sys
 import warnings
 from collections.abc import Sequence
+from pathlib import Path
 
+import pliant
+from pliant._core import OptionError
 from pliant.base import console
 from pliant.jobs.process import molecule_rows
 from pliant.trajectory.freed_memory import give_back_freed_memory
 
-COMMON = ("--output", "--frames", "--smiles", "--select", "--keep", "--no-check")
+COMMON = ("--output", "--frames", "--smiles", "--select", "--keep", "--no-check", "--demo")
+#: of 20 residues, where the build puts it (python/CMakeLists.txt)
+HELIX = Path(pliant.__file__).with_name("static") / "examples" / "peptide_20.pdb"
+
 DESCRIPTION = """\
 Studies a molecule and answers, on one page: which parts are flexible, what moves together, what
 else it could look like, and what was left out. With END, another structure of the same molecule,
 a path to it is found as well. For a small molecule, conformers are studied.
 
-It does what pliant sample, analyse, representatives, path and check do by default, one after the
-other. To choose options yourself, use those commands."""
+It does what pliant sample, analyse, path and check do by default, one after the other. To choose
+options yourself, use those commands."""
 
 EPILOG = """\
 The folder has:
@@ -37,6 +43,7 @@ start MD; --no-check leaves this out.
 Exit code: 0 done (whatever the answers are), 1 a file cannot be read or written, 2 bad option.
 
 examples:
+  pliant study --demo
   pliant study protein.pdb
   pliant study open.pdb closed.pdb -o opening
   pliant study drug.sdf --frames 200
@@ -54,6 +61,7 @@ def make_parser() -> console.Parser:
     add("-o", "--output", metavar="DIR", help=text)
     text = "instead of FILE: a small molecule, which RDKit makes three-dimensional"
     add("--smiles", metavar="TEXT", help=text)
+    add("--demo", action="store_true", help="instead of FILE: a helix that comes with Pliant")
     text = "frames of the ensemble (default: as pliant sample)"
     add("--frames", metavar="N", type=console.whole_number(4), help=text)
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help="seed (default: 0)")
@@ -76,9 +84,14 @@ def _study(arguments: argparse.Namespace) -> int:
     from pliant.report.study.answers import LABELS
     from pliant.report.study.suite import study
 
+    file = arguments.file
+    if arguments.demo:
+        if file is not None or arguments.smiles is not None:
+            raise OptionError("--demo: goes with neither FILE nor --smiles")
+        file = HELIX
     with warnings.catch_warnings(), console.stages(arguments.quiet) as on_stage:
         found = study(
-            arguments.file,
+            file,
             arguments.end,
             arguments.output,
             smiles=arguments.smiles,

@@ -12,7 +12,7 @@ from pliant.base.display import Displayed, Facts
 if TYPE_CHECKING:
     from pliant.checks.check_report import CheckReport
     from pliant.jobs.path.found import MolecularPath
-    from pliant.report.representatives import Representatives
+    from pliant.measure.shapes.representatives import Representatives
     from pliant.report.study.sampled import Sampled
     from pliant.report.suite import AnalysisReport
 

@@ -30,7 +30,7 @@ from pliant.report.suite import DPI, AnalysisReport
 from pliant.report.write import check_folder, write_report
 
 if TYPE_CHECKING:
-    from pliant.report.representatives import Representatives
+    from pliant.measure.shapes.representatives import Representatives
 
 #: frames that stand for all, for docking or to look at
 REPRESENTATIVES = 20

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""``pliant recover``: what can be read of a damaged H5MD file, in a file that is whole again."""
+"""``pliant convert --recover``: what can be read of a damaged H5MD file, in a new one."""
 
 from __future__ import annotations
 
-import argparse
 import os
 import shutil
-import sys
 import tempfile
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,7 +13,6 @@ import h5py
 import numpy as np
 
 from pliant._core import FileError, InputError, OptionError, check_hdf5_structure
-from pliant.base import console
 from pliant.base.checked import checked
 from pliant.base.new_file import NewFile, new_file
 from pliant.trajectory import hdf5 as _hdf5
@@ -58,17 +54,6 @@ OBSERVABLES = (
     *("force_x", "force_y", "force_z", "max_limit", "max_overlap"),
 )
 
-EPILOG = """\
-Every frame that can be read is kept, wherever it is, with its step and time, and so are the
-observables, names, bonds, bars and options that can be read. Coordinates have no checksums: a wrong
-digit looks like a right one. BROKEN is not changed.
-
-exit codes: 0 frames were saved, 1 none, 2 bad option
-
-examples:
-  pliant recover broken.h5md -o good.h5md
-"""
-
 
 @dataclass
 class Recovery:
@@ -81,6 +66,19 @@ class Recovery:
     parameters: int = 0
     saved: list[str] = field(default_factory=list)  #: other datasets
     lost: dict[str, str] = field(default_factory=dict)  #: what -> why
+
+    def lines(self) -> list[str]:
+        """The same as text."""
+        saved = (
+            f"{self.path}: {self.frames} of {self.frames_stated} frames, "
+            f"{len(self.observables)} observables, {len(self.saved)} tables, "
+            f"{self.parameters} options"
+        )
+        lost = [
+            f"lost: {why}" if why.startswith(f"/{what}") else f"lost: {what}: {why}"
+            for what, why in self.lost.items()
+        ]
+        return [saved, *(lost or ["nothing was lost"])]
 
 
 @checked()
@@ -235,45 +233,3 @@ def _creator(file: h5py.File) -> dict[str, Any]:
     schema = None if creator is None else _hdf5.plain(_hdf5.attribute(creator, "schema"))
     names = {name: _hdf5.text(creator, name) for name in ("name", "version")}
     return names | ({"schema": schema} if isinstance(schema, int) else {})
-
-
-def make_parser() -> console.Parser:
-    """The options of pliant recover."""
-    parser = console.Parser(
-        "recover",
-        "Copies what can be read of a damaged H5MD file into a new one, and says what was lost.",
-        EPILOG,
-    )
-    add = parser.add_argument
-    add("file", metavar="BROKEN", help="H5MD file that other commands call damaged")
-    add("-o", "--output", metavar="GOOD", required=True, help="H5MD file to write")
-    add("--overwrite", action="store_true", help="replace an existing GOOD")
-    add("--json", action="store_true", help="print the report as one JSON object")
-    return parser
-
-
-def main(words: Sequence[str] | None = None) -> int:
-    """Runs the command; returns its exit code."""
-    arguments = make_parser().parse_args(words)
-    return console.run_command("recover", lambda: _recover(arguments))
-
-
-def _recover(arguments: argparse.Namespace) -> int:
-    recovery = recover(arguments.file, arguments.output, overwrite=arguments.overwrite)
-    if arguments.json:
-        console.print_json(vars(recovery))
-        return console.EXIT_OK
-    print(
-        f"{recovery.path}: {recovery.frames} of {recovery.frames_stated} frames, "
-        f"{len(recovery.observables)} observables, {len(recovery.saved)} tables, "
-        f"{recovery.parameters} options"
-    )
-    for what, why in recovery.lost.items():
-        print(f"lost: {why}" if why.startswith(f"/{what}") else f"lost: {what}: {why}")
-    if not recovery.lost:
-        print("nothing was lost")
-    return console.EXIT_OK
-
-
-if __name__ == "__main__":
-    sys.exit(main())

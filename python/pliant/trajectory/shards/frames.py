@@ -25,7 +25,7 @@ def folder_of(path: Path) -> Path:
 
 
 def _why_empty(folder: Path, plan: EnsemblePlan) -> str:
-    if any((folder / SHARDS).glob("shard-*.h5md")):  # of a job array, or of --only
+    if any((folder / SHARDS).glob("shard-*.h5md")):  # of a job array, or of --shard
         return "no shard is counted yet: run the command of the ensemble once more"
     return f"none of its {plan.shard_count} shards is complete yet"
 

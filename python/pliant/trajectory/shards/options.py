@@ -17,13 +17,9 @@ Options = dict[str, Any]
 
 #: What the ensemble decides for each shard, or what no ensemble can do, with what to do instead.
 _REFUSED = {
-    "shard": "the ensemble numbers its walkers itself",
-    "first_frame": "the ensemble numbers its frames itself",
-    "one_file": "each shard is one file in any case",
     "threads": "--workers says how many processes share the shards",
     "topology": "each shard holds its topology",
     "overwrite": "give another folder, or remove this one",
-    "commits": "each shard has its own",
     "continue": "the same command again goes on",
     "record_forces": "use it with pliant run itself",
     "imd": "use it with pliant run itself",
@@ -54,7 +50,7 @@ def files_among(task: str, options: Options) -> list[str]:
 
 
 def flag_of(name: str) -> str:
-    """ "--near-frames" of "near_frames"."""
+    """ "--hbond-cutoff" of "hbond_cutoff"."""
     return "--" + name.replace("_", "-")
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files as the system has them: opened by descriptor, read and written at positions, made durable.
+// Files as the system has them: opened by descriptor, read and written at positions.
 // What fails leaves its reason in errno, on Windows too.
 #pragma once
 
@@ -84,10 +84,6 @@ bool resize_file(int descriptor, std::uint64_t size);
 /// that they are full. Returns false when that fails. Takes the locks of this process from the
 /// file, but not those of the descriptor.
 bool flush_contents(int descriptor);
-/// Waits until the file's contents are on the disk. Returns false when that fails.
-bool sync_contents(int descriptor);
-/// The same for the names in a folder, as far as the system can.
-void sync_names(const std::filesystem::path& folder);
 
 /// Gives a file another name, in place of a file that has it; `held` is open on that one, if
 /// anything is, and is closed. Returns false when that fails.

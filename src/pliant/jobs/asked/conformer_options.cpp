@@ -17,8 +17,6 @@ constexpr auto at = place_at<ConformerOptions, Member>;
 const std::string frames_text = std::to_string(usual_candidates) + ", or " +
                                 std::to_string(candidates_each) + " for each conformer asked for";
 
-std::vector<std::string_view> ways_of_salts() { return {"largest", "refuse"}; }
-
 const OptionField<ConformerOptions> table[] = {
     {{.name = "max",
       .letter = 'n',
@@ -56,11 +54,6 @@ const OptionField<ConformerOptions> table[] = {
      at<&ConformerOptions::minimise>},
     {{.name = "embed", .summary = "make drawings, and molecules without hydrogens, 3-D by RDKit"},
      at<&ConformerOptions::embed>},
-    {{.name = "salts",
-      .summary = "several molecules in a record: keep the largest, or refuse",
-      .choices = &ways_of_salts,
-      .kind = "way with salts"},
-     at<&ConformerOptions::salts>},
     {{.name = "amides", .summary = "draw secondary amides as cis and trans"},
      at<&ConformerOptions::amides>},
     {{.name = "seed", .summary = "seed", .range = Range::zero_or_more, .largest = largest_seed},

@@ -14,7 +14,6 @@ namespace pliant {
 namespace {
 
 constexpr std::string_view group = "Guides, in place of --perturb";
-constexpr std::int64_t most_period = 1'000'000'000;
 constexpr double most_modes = 60;
 
 template <auto Member>
@@ -23,23 +22,18 @@ constexpr auto at = place_at<GuideAsked, Member>;
 constexpr OptionField<GuideAsked> table[] = {
     {{.name = "rock",
       .group = group,
-      .summary = "rock back and forth along this mode of the elastic network, counted from 1",
+      .summary = "rock back and forth along this mode of the elastic network, counted from 1, a\n"
+                 "full cycle in 100 steps",
       .range = Range::positive,
       .largest = most_modes,
       .is_optional = true,
       .unset_means = "none"},
      at<&GuideAsked::rock>},
-    {{.name = "rock_amplitude",
+    {{.name = "amplitude",
       .group = group,
-      .summary = "how far to each side, Angstrom, r.m.s. over residues",
+      .summary = "how far to rock to each side, Angstrom, r.m.s. over residues",
       .range = Range::positive},
-     at<&GuideAsked::rock_amplitude>},
-    {{.name = "period",
-      .group = group,
-      .summary = "steps of one full cycle: to one side, to the other and back",
-      .least = 2,
-      .most = most_period},
-     at<&GuideAsked::period>},
+     at<&GuideAsked::amplitude>},
     {{.name = "pull",
       .group = group,
       .summary = "pull these atoms by this vector, Angstrom; may be repeated;\n"
@@ -108,10 +102,9 @@ std::span<const OptionField<GuideAsked>> guide_fields() { return table; }
 
 Guide guide_from(const GuideAsked& asked, const Structure& structure, const Framework& framework) {
   Guide guide;
-  guide.period = asked.period;
   if (asked.rock > 0)
     guide.rock = mode_field(network_nodes_of(structure), structure.positions,
-                            static_cast<std::size_t>(asked.rock), asked.rock_amplitude);
+                            static_cast<std::size_t>(asked.rock), asked.amplitude);
   for (const auto& words : asked.pulls) guide.pulls.push_back(pull_of(words, structure));
   for (const auto& words : asked.pairs) {
     const auto [least, most] = interval_of(words[2]);

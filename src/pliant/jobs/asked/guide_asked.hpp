@@ -13,11 +13,10 @@
 namespace pliant {
 
 struct GuideAsked {
-  std::int64_t rock = 0;        ///< mode, from 1; 0: none
-  double rock_amplitude = 1.0;  ///< Angstrom, r.m.s. of residues
-  std::int64_t period = 100;    ///< steps
-  OptionGroups pulls;           ///< selection, "x,y,z"
-  OptionGroups pairs;           ///< selection, selection, "d" or "d1..d2"
+  std::int64_t rock = 0;   ///< mode, from 1; 0: none
+  double amplitude = 1.0;  ///< of rocking; Angstrom, r.m.s. of residues
+  OptionGroups pulls;      ///< selection, "x,y,z"
+  OptionGroups pairs;      ///< selection, selection, "d" or "d1..d2"
 
   bool empty() const { return rock == 0 && pulls.empty() && pairs.empty(); }
 };

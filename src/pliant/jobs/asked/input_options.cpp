@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/jobs/asked/input_options.hpp"
 
-#include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/path_text.hpp"
 #include "pliant/model/prepare/select_part.hpp"
@@ -17,27 +16,7 @@ constexpr std::int64_t most_models = 1'000'000'000;
 template <auto Member>
 constexpr auto at = place_at<InputOptions, Member>;
 
-std::string_view format_summary() {
-  static const std::string text = [] {
-    std::string names;
-    for (const Format& format : formats())
-      names.append(names.empty() ? "" : ", ").append(format.name);
-    return names + " (default: by extension or content)";
-  }();
-  return text;
-}
-
-const OptionField<InputOptions> table[] = {
-    {{.name = "format",
-      .group = group,
-      .summary = format_summary(),
-      .choices = [] { return names_of(formats()); },
-      .kind = "format",
-      .is_optional = true,
-      .in_python = "Of the file, if not by its extension or content.",
-      .users = {.python = false, .file = false, .again = false},
-      .type_in_python = "str | None"},
-     at<&InputOptions::format>},
+constexpr OptionField<InputOptions> table[] = {
     {{.name = "frame",
       .group = group,
       .summary = "which model, frame or record of the file",
@@ -91,7 +70,6 @@ std::string input_bytes(const InputOptions& options) {
 Structure read_input(const InputOptions& options, const Log& log) {
   ReadOptions reading;
   reading.model = static_cast<std::size_t>(options.frame);
-  reading.format = options.format;
   reading.assembly = options.assembly;
   reading.log = log;
   const std::string bytes = input_bytes(options);

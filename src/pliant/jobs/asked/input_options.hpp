@@ -15,7 +15,6 @@ namespace pliant {
 
 struct InputOptions {
   std::string file;        ///< no row: it stands in front of all options
-  std::string format;      ///< a name in formats(); "": by extension or content
   std::int64_t frame = 1;  ///< which model, frame or record of the file
   std::string assembly;    ///< a biological assembly; "": the atoms as listed
   std::string select;      ///< selection of atoms; "": all

@@ -34,12 +34,6 @@ constexpr OptionField<BarsAsked> table[] = {
                    "empty: bonds.",
       .type_in_python = "str | os.PathLike[str]"},
      at<&BarsAsked::bars>},
-    {{.name = "lengths",
-      .group = group,
-      .summary = "lengths of the bars: as in the file (geometry), or from a table of bonds",
-      .choices = [] { return names_of(length_choices); },
-      .kind = "source of lengths"},
-     at<&BarsAsked::lengths>},
     {{.name = "pin",
       .group = group,
       .summary = "atoms that never move, such as \"chainID A and name CA\"",
@@ -56,7 +50,7 @@ void check_graph(const MoleculeOptions& options) {
   if (!options.model.model.empty()) refuse("--model " + options.model.model, own_bars);
   if (bars_of(options) != "bonds" && !is_bars_file(bars_of(options)))
     refuse("--bars " + options.bars.bars, own_bars);
-  constexpr std::string_view taken[] = {"pin", "bars", "format", "max_input"};
+  constexpr std::string_view taken[] = {"pin", "bars", "max_input"};
   MoleculeOptions given = options, usual;
   for (const auto& row : molecule_rows())
     if (std::ranges::find(taken, row.facts->name) == std::end(taken) &&
@@ -87,14 +81,10 @@ Molecule load_graph(const MoleculeOptions& options, const Log& log) {
   return {std::move(structure), std::move(graph.framework), read};
 }
 
-/// A model says itself what its bars are and that they are as long as in the file.
+/// A model says itself what its bars are.
 void check_bars(const MoleculeOptions& options) {
-  if (options.model.model.empty()) return;
-  if (!options.bars.bars.empty())
+  if (!options.model.model.empty() && !options.bars.bars.empty())
     throw OptionError("--model, --bars: expected one of them: a model has bars of its own");
-  if (options.bars.lengths != BarsAsked{}.lengths)
-    throw OptionError("--lengths " + options.bars.lengths +
-                      ": goes with --bars: a model has the lengths of the file");
 }
 
 /// Steps heed no torsion preferences.
@@ -110,13 +100,11 @@ Molecule load_model(const MoleculeOptions& options, const Structure& structure, 
           std::string(entry(model.kind).name)};
 }
 
-Molecule load_bars(const MoleculeOptions& options, Structure structure, const Log& log) {
+Molecule load_bars(const MoleculeOptions& options, Structure structure) {
   BuildOptions building;
   take_bars(bars_of(options), structure, building);
-  building.lengths = choose(length_choices, "source of lengths", options.bars.lengths).source;
   building.pin = options.bars.pin;
   building.may_be_cut = options.may_be_cut;
-  building.log = log;
   Framework framework = build_framework(structure, building);
   const std::uint64_t read = fingerprint(structure.atoms, structure.positions);
   return {std::move(structure), std::move(framework), read};
@@ -149,7 +137,7 @@ std::string bars_of(const MoleculeOptions& options) {
 }
 
 bool is_graph(const MoleculeOptions& options) {
-  return options.input.format.empty() && path_of(options.input.file).extension() == ".xml";
+  return path_of(options.input.file).extension() == ".xml";
 }
 
 Molecule load_molecule(const MoleculeOptions& options, const Log& log) {
@@ -160,7 +148,7 @@ Molecule load_molecule(const MoleculeOptions& options, const Log& log) {
   if (name != automatic_model)
     check(options.model, is_named ? &choose(models(), "model", name) : nullptr, "--");
   Structure structure = read_input(options.input, log);
-  if (name.empty()) return load_bars(options, std::move(structure), log);
+  if (name.empty()) return load_bars(options, std::move(structure));
   check(options.model, &entry(kind_of_model(options.model, structure)), "--");
   return load_model(options, structure, log);
 }

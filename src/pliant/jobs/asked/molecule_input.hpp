@@ -19,7 +19,6 @@ namespace pliant {
 
 struct BarsAsked {
   std::string bars;  ///< a name or a file; "": those of the model, or bonds without a model
-  std::string lengths = "geometry";
   std::string pin;
 };
 

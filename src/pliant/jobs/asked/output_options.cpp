@@ -53,10 +53,6 @@ constexpr OptionField<OutputOptions> table[] = {
       .in_python = "Replace existing outputs, but never the file that the structure was read from.",
       .users = {.file = false, .again = false}},
      at<record, &H5mdOptions::overwrite>},
-    {{.name = "single", .group = group, .summary = "positions as 32-bit floats"},
-     at<record, &H5mdOptions::single>},
-    {{.name = "compress", .group = group, .summary = "shuffle and gzip positions"},
-     at<record, &H5mdOptions::compress>},
     {{.name = "save",
       .group = group,
       .summary = "record only these atoms, such as \"name CA\" or \"not element H\" (default: "
@@ -77,25 +73,20 @@ constexpr OptionField<OutputOptions> table[] = {
       .summary = "interval between commits of the trajectory (s)",
       .range = Range::zero_or_more,
       .in_python = "As for ``H5mdRecorder``.",
-      .users = {.command = false, .file = false}},
+      .users = {.command = false, .job = false, .file = false}},
      at<record, &H5mdOptions::flush_seconds>},
-    {{.name = "durable",
-      .group = group,
-      .summary = "wait for the disk at each commit, so that frames survive a power cut",
-      .users = {.file = false}},
-     at<record, &H5mdOptions::durable>},
     {{.name = "commits",
       .group = group,
       .summary = "save finished work here until the output is complete; after a kill the same\n"
-                 "command continues from it, and the output has the same bytes",
+                 "job continues from it, and the output has the same bytes",
       .kind = "FILE",
-      .users = {.python = false, .file = false, .again = false}},
+      .users = {.command = false, .python = false, .file = false, .again = false}},
      at<&OutputOptions::commits>},
     {{.name = "commit_seconds",
       .group = group,
       .summary = "interval between these commits (s)",
       .range = Range::zero_or_more,
-      .users = {.python = false, .file = false}},
+      .users = {.command = false, .python = false, .file = false}},
      at<&OutputOptions::commit_seconds>},
 };
 
@@ -172,12 +163,9 @@ void check_format(const OutputOptions& options, std::string_view dashes) {
     throw OptionError(option_name("save", dashes) +
                       ": goes with H5MD and PDB, not with the SDF file " + output);
   if (!is_pdb_name(output) && !is_sdf_name(output)) return;
-  for (const auto& [is_given, name] :
-       {std::pair(options.record.single, "single"), std::pair(options.record.compress, "compress"),
-        std::pair(options.record.precision > 0.0, "precision")})
-    if (is_given)
-      throw OptionError(option_name(name, dashes) + ": goes with H5MD, not with the " +
-                        (is_pdb_name(output) ? "PDB" : "SDF") + " file " + output);
+  if (options.record.precision > 0.0)
+    throw OptionError(option_name("precision", dashes) + ": goes with H5MD, not with the " +
+                      (is_pdb_name(output) ? "PDB" : "SDF") + " file " + output);
 }
 
 }  // namespace

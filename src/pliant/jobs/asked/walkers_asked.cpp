@@ -28,13 +28,13 @@ constexpr OptionField<WalkersAsked> table[] = {
       .group = run_group,
       .summary = "run only these walkers, such as 800..899",
       .kind = "FIRST..LAST",
-      .users = {.python = false, .file = false}},
+      .users = {.command = false, .python = false, .file = false}},
      at<&WalkersAsked::shard>},
     {{.name = "one_file",
       .group = run_group,
       .summary = "one trajectory for all walkers, one after another; the observable walker tells\n"
                  "them apart. A walker's frames wait in memory until it ends",
-      .users = {.python = false, .file = false}},
+      .users = {.command = false, .python = false, .file = false}},
      at<&WalkersAsked::one_file>},
     {{.name = "threads",
       .group = run_group,
@@ -60,11 +60,6 @@ constexpr OptionField<WalkersAsked> table[] = {
       .is_file = true,
       .users = {.python = false}},
      at<&WalkersAsked::forces>},
-    {{.name = "override_forces",
-      .group = perturbation_group,
-      .summary = "if options or the structure contradict --forces, the command line wins",
-      .users = {.python = false, .file = false}},
-     at<&WalkersAsked::override_forces>},
     {{.name = "record_forces",
       .group = perturbation_group,
       .summary = "write the push of each step to a force file, for --forces",
@@ -88,7 +83,7 @@ void number_walkers(WalkersAsked& asked) {
   const auto first = parse_integer(text.substr(0, dots));
   const auto last = dots == text.npos ? std::nullopt : parse_integer(text.substr(dots + 2));
   if (!first || !last || *first < 0 || *last < *first || *last - *first >= most_walkers)
-    throw OptionError("--shard: expected FIRST..LAST, two walkers' numbers, at most " +
+    throw OptionError("shard: expected FIRST..LAST, two walkers' numbers, at most " +
                       std::to_string(most_walkers) + " walkers, found " + quoted(text));
   asked.first = *first;
   asked.walkers = *last - *first + 1;

@@ -122,12 +122,6 @@ Series make_series(std::int64_t file, const std::string& path, NumberKind kind) 
   return {file, path, kind == integer || kind == real ? little_endian : std::int64_t{type}, type};
 }
 
-std::size_t number_bytes(std::int64_t file, const std::string& path) {
-  const Hid dataset = owned(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
-  const Hid type = owned(H5Dget_type(dataset), H5Tclose, "look at " + path);
-  return H5Tget_size(type);
-}
-
 constexpr char rounded_to[] = "rounded_to";  // attribute of positions
 
 /// 0 where positions are as they were.
@@ -170,11 +164,10 @@ std::string states_path() { return std::string(h5md::contact_states) + "/value";
 
 FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options,
                          const FrameOrigin& origin)
-    : single_(options.single),
-      unit_(rounding_unit(options.precision)),
+    : unit_(rounding_unit(options.precision)),
       rows_(rows_that([&](const Observable& one) { return one.is_of(framework, origin); })),
       contacts_(framework.limits()) {
-  make_positions(file, framework.joint_count(), options);
+  make_positions(file, framework.joint_count());
   make_observables(file);
   make_contact_states(file);
 }
@@ -184,10 +177,8 @@ FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, std::uin
     : rows_(rows_that([&](const Observable& one) { return has_object(file, group_of(one)); })),
       contacts_(framework.limits()) {
   const std::string group = h5md::position;
-  single_ = number_bytes(file, group + "/value") == sizeof(float);
   unit_ = recorded_unit(file, group + "/value");
-  positions_.emplace_back(file, group + "/value", single_ ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE,
-                          frames);
+  positions_.emplace_back(file, group + "/value", H5T_NATIVE_DOUBLE, frames);
   positions_.emplace_back(file, group + "/time", H5T_NATIVE_DOUBLE, frames);
   positions_.emplace_back(file, group + "/step", H5T_NATIVE_INT64, frames);
   for (const std::size_t row : rows_) {
@@ -200,24 +191,20 @@ FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, std::uin
 }
 
 void FrameSeries::count_bytes(std::size_t joint_count) {
-  frame_bytes_ = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double)) +
-                 (2 + rows_.size()) * sizeof(double) + contacts_.size();
+  frame_bytes_ = (joint_count * 3 + 2 + rows_.size()) * sizeof(double) + contacts_.size();
 }
 
 /// In the order value, time, step: HDF5 itself then also writes them in this order.
-void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count,
-                                 const H5mdOptions& options) {
-  const std::size_t position_bytes = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double));
+void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count) {
   count_bytes(joint_count);
-  const bool compress = options.compress || unit_ > 0.0;
+  const bool compress = unit_ > 0.0;
   const SeriesLayout layout{.row = {joint_count, 3},
-                            .chunk_rows = frames_per_chunk(position_bytes, compress),
+                            .chunk_rows = frames_per_chunk(joint_count * sizeof(Vec3), compress),
                             .compress = compress,
                             .fill_with_nan = true};
   const std::string group = h5md::position;
   make_group(file, group);
-  positions_.emplace_back(file, group + "/value", single_ ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
-                          single_ ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE, layout);
+  positions_.emplace_back(file, group + "/value", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, layout);
   positions_.push_back(make_series(file, group + "/time", real));
   positions_.push_back(make_series(file, group + "/step", integer));
   write_text_attribute(positions_[0].dataset(), "unit", "Angstrom");
@@ -270,22 +257,14 @@ void FrameSeries::add(const Frame& frame) {
 }
 
 void FrameSeries::add_positions(std::span<const Vec3> positions) {
-  if (!single_ && unit_ == 0.0) return positions_[0].add_bytes(std::as_bytes(positions));
+  if (unit_ == 0.0) return positions_[0].add_bytes(std::as_bytes(positions));
   for (const Vec3 p : positions)
-    for (const double x : {p.x, p.y, p.z}) add_coordinate(as_recorded(x));
+    for (const double x : {p.x, p.y, p.z}) positions_[0].add(as_recorded(x));
 }
 
 /// What a reader finds in its place.
 double FrameSeries::as_recorded(double coordinate) const {
-  const double rounded = unit_ > 0.0 ? unit_ * std::nearbyint(coordinate / unit_) : coordinate;
-  return single_ ? double(static_cast<float>(rounded)) : rounded;
-}
-
-void FrameSeries::add_coordinate(double coordinate) {
-  if (single_)
-    positions_[0].add(static_cast<float>(coordinate));
-  else
-    positions_[0].add(coordinate);
+  return unit_ > 0.0 ? unit_ * std::nearbyint(coordinate / unit_) : coordinate;
 }
 
 bool FrameSeries::last_is(std::span<const Vec3> positions) const {

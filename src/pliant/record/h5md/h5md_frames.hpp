@@ -44,7 +44,6 @@ class FrameSeries {
   /// Passes the waiting frames to HDF5. Throws FileError.
   void write();
 
-  bool is_single() const { return single_; }
   std::uint64_t waiting_frames() const { return waiting_frames_; }
   std::size_t waiting_bytes() const { return waiting_frames_ * frame_bytes_; }
 
@@ -55,14 +54,12 @@ class FrameSeries {
 
  private:
   void count_bytes(std::size_t joint_count);
-  void make_positions(std::int64_t file, std::size_t joint_count, const H5mdOptions& options);
+  void make_positions(std::int64_t file, std::size_t joint_count);
   void make_observables(std::int64_t file);
   void make_contact_states(std::int64_t file);
   void add_positions(std::span<const Vec3> positions);
-  void add_coordinate(double coordinate);
   double as_recorded(double coordinate) const;
 
-  bool single_;
   double unit_ = 0.0;  ///< positions are rounded to multiples of it (Angstrom); 0: not rounded
   std::vector<std::size_t> rows_;  ///< rows of the table of observables that this file has
   LimitCounter contacts_;

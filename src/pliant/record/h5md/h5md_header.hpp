@@ -15,10 +15,9 @@ namespace pliant {
 
 /// How to record.
 struct H5mdOptions {
-  bool single = false;    ///< positions as 32-bit floats: half the size, 1e-7 relative
-  bool compress = false;  ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
   /// positions are rounded by at most half of this (Angstrom) so that they compress well, and
-  /// compressed; 0: not rounded. Observables and checkpoints use the unrounded positions
+  /// compressed (shuffled, gzip 1); 0: neither. Observables and checkpoints use the unrounded
+  /// positions
   double precision = 0.0;
   /// Joints to record, ascending; empty: all. The file then has only these, with the bars, bonds
   /// and limits among them, but without sterics and checkpoints. Observables are those of all
@@ -28,17 +27,13 @@ struct H5mdOptions {
   /// interval between commits (s); 0: after each frame; infinity: only the first and the last, so
   /// that equal frames give equal bytes
   double flush_seconds = 1.0;
-  bool durable = false;  ///< each commit waits for the disk (fsync) and survives a power cut
-  Log log = {};          ///< where warnings go
+  Log log = {};  ///< where warnings go
 };
 
 /// What of them a file tells, by paths below /parameters. `save`: the selection of the joints.
 inline std::vector<NamedParameter> parameters_of(const H5mdOptions& options,
                                                  const std::string& save) {
-  return {{"record/single", options.single},
-          {"record/compress", options.compress},
-          {"record/save", save},
-          {"record/precision", options.precision}};
+  return {{"record/save", save}, {"record/precision", options.precision}};
 }
 
 /// A bond of the atom table: chemistry, which need not be a bar.

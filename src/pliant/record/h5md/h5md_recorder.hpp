@@ -39,8 +39,8 @@ class H5mdRecorder {
                const H5mdHeader& header = {}, const H5mdOptions& options = {});
   /// Continues a file at the frame where read_checkpoint() ends it. Frames up to there, which the
   /// run shows again, are not recorded twice; the last must have the same bits as in the file. The
-  /// options `single`, `compress`, `saved` and `overwrite` are ignored. Throws FileError when the
-  /// file cannot be written, is being written, or has been since it was read.
+  /// options `saved` and `overwrite` are ignored. Throws FileError when the file cannot be written,
+  /// is being written, or has been since it was read.
   explicit H5mdRecorder(const H5mdCheckpoint& from, const H5mdOptions& options = {});
   ~H5mdRecorder();
   H5mdRecorder(H5mdRecorder&&) noexcept;

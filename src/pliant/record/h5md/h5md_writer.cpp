@@ -29,11 +29,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// False for what is not a number, too.
-bool is_within(Vec3 p, double most) {
-  return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
-}
-
 std::size_t checked_joint_count(const Framework& framework) {
   if (framework.joint_count() == 0)
     throw InputError("a framework without joints has no trajectory");
@@ -59,7 +54,7 @@ H5mdWriter::H5mdWriter(const std::filesystem::path& path, const Framework& frame
       atoms_(framework.atoms()),
       options_(options),
       output_(path, options.overwrite),
-      file_(output_.descriptor(), options.durable) {
+      file_(output_.descriptor()) {
   open([&] { create(framework, header); });
 }
 
@@ -68,7 +63,7 @@ H5mdWriter::H5mdWriter(const H5mdCheckpoint& from, const H5mdOptions& options)
       atoms_(from.framework.atoms()),
       options_(options),
       output_(from.path),
-      file_(output_.descriptor(), options.durable),
+      file_(output_.descriptor()),
       frames_(from.frames),
       committed_frames_(from.frames),
       last_step_(from.last_step),
@@ -175,10 +170,8 @@ void H5mdWriter::check_frame(const Frame& frame) const {
   if (frames_ > 0 && frame.walker <= last_walker_ && frame.step <= last_step_)
     throw InputError(where() + " comes after that of step " + std::to_string(last_step_));
   if (!std::isfinite(frame.time)) throw InputError(where() + " has a time that is not finite");
-  const double most = series_->is_single() ? double(std::numeric_limits<float>::max())
-                                           : std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < joint_count_; ++i)
-    if (!is_within(frame.positions[i], most))
+    if (!is_finite(frame.positions[i]))
       throw InputError(where() + ": position of " + joint_label(i) + " is not finite");
 }
 
@@ -246,7 +239,6 @@ void H5mdWriter::commit() {
 void H5mdWriter::publish() {
   try {
     output_.publish();
-    if (options_.durable) output_.sync_name();
   } catch (const FileError& error) {
     failure_ = error.what();
     const Hdf5Session session;

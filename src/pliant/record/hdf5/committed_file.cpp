@@ -62,8 +62,7 @@ void overlay(std::uint64_t block_address, std::span<const std::byte> block, std:
 
 }  // namespace
 
-CommittedFile::CommittedFile(int descriptor, bool durable)
-    : descriptor_(descriptor), durable_(durable), owner_(process_id()) {
+CommittedFile::CommittedFile(int descriptor) : descriptor_(descriptor), owner_(process_id()) {
   const std::optional<FileFacts> facts = facts_of(descriptor_);
   if (!facts) failure_ = errno;
   known_end_ = committed_end_ = end_ = written_end_ = facts.value_or(FileFacts{}).size;
@@ -132,14 +131,12 @@ void CommittedFile::commit() {
   for (auto at = order.begin(); at != in_place; ++at)
     write_through(at->entry->first, at->entry->second.bytes);
   make_room();
-  sync();
   if (failure_ != 0) {
     // The file is still as the last commit left it: what lies beyond only takes space.
     static_cast<void>(resize_file(descriptor_, committed_end_));
     return;
   }
   for (auto at = in_place; at != order.end(); ++at) write_in_place(*at->entry);
-  sync();
   if (failure_ != 0) return;
   for (const auto& [address, block] : pending_) written_.insert(address);
   pending_.clear();
@@ -166,10 +163,6 @@ void CommittedFile::trim() {
 
 void CommittedFile::flush() {
   if (may_write() && !flush_contents(descriptor_)) failure_ = errno;
-}
-
-void CommittedFile::sync() {
-  if (durable_ && may_write() && !sync_contents(descriptor_)) failure_ = errno;
 }
 
 void CommittedFile::write_in_place(const Blocks::value_type& entry) {

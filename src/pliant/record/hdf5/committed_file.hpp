@@ -42,8 +42,8 @@ enum class BlockKind : std::uint8_t { data, superblock, tree_node, other_metadat
 class CommittedFile {
  public:
   /// Does not own `descriptor`, which must be open for reading and writing. The file's present
-  /// contents count as committed. `durable`: a commit waits until it is on the disk.
-  explicit CommittedFile(int descriptor, bool durable = false);
+  /// contents count as committed.
+  explicit CommittedFile(int descriptor);
 
   /// Writes data at once, and metadata with the next commit.
   void write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes);
@@ -92,10 +92,8 @@ class CommittedFile {
   void write_backwards(std::uint64_t address, std::span<const std::byte> bytes);
   void resize(std::uint64_t size);
   void make_room();
-  void sync();
 
   int descriptor_;
-  bool durable_;
   bool shrinks_ = false;
   int owner_;  // a forked child holds the same descriptor and must leave the file alone
   std::uint64_t end_ = 0;

@@ -63,7 +63,7 @@ def test_wrong_options_are_refused():
 
 
 def test_the_command(capsys):
-    words = ["throughput", PEPTIDE, "--frames", "3", "--repeats", "1", "--hydrogens", "polar"]
+    words = ["throughput", PEPTIDE, "--frames", "3", "--repeats", "1"]
     assert main([*words, "--json", "--quiet"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["sampler"] == "modes" and len(found["rows"]) == 1

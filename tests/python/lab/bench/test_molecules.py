@@ -47,7 +47,7 @@ def test_rows_are_what_a_run_by_hand_gives():
 
 def test_the_command_prints_and_writes(tmp_path, capsys):
     table = tmp_path / "loops.csv"
-    words = ["molecules", "--molecules", "butane,benzene", "--techniques", "auto,bfs_tree"]
+    words = ["molecules", "--only", "butane,benzene", "--technique", "auto,bfs_tree"]
     assert main([*words, "--steps", "3", "--csv", str(table), "--quiet"]) == 0
     out = capsys.readouterr().out
     assert "bfs_tree, bonds: 1 unable: technique = bfs_tree: is for trees only" in out
@@ -55,5 +55,5 @@ def test_the_command_prints_and_writes(tmp_path, capsys):
         assert len(list(csv.DictReader(file))) == 8
     assert main([*words, "--steps", "2", "--json"]) == 0
     assert len(json.loads(capsys.readouterr().out)["techniques"]) == 4
-    assert main(["molecules", "--molecules", "unobtainium"]) == 2
-    assert "--molecules unobtainium: must be one of ethanol," in capsys.readouterr().err
+    assert main(["molecules", "--only", "unobtainium"]) == 2
+    assert "--only unobtainium: must be one of ethanol," in capsys.readouterr().err

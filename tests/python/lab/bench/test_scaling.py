@@ -115,7 +115,7 @@ def test_throughput_says_what_is_wrong():
 
 def test_throughput_by_the_command(capsys, tmp_path):
     words = ["throughput", str(CAFFEINE), "--csv", str(tmp_path / "a.csv")]
-    words += "--conformers 2 --repeats 1 --techniques blocks --without-openmm".split()
+    words += "--repeats 1 --technique blocks --peers none".split()
     assert main([*words, "--json"]) == 0
     printed = json.loads(capsys.readouterr().out)
     assert len(printed["rows"]) == 4

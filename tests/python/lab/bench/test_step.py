@@ -47,7 +47,7 @@ def test_unknown_kinds_are_refused():
 
 def test_the_command_prints_a_table_and_writes_csv(capsys, tmp_path, monkeypatch):
     table = tmp_path / "rows.csv"
-    words = ["step", "--sizes", "100,200", "--kinds", "chain", "--steps", "5", "--rounds", "1"]
+    words = ["step", "--sizes", "100,200", "--kinds", "chain", "--steps", "5", "--repeats", "1"]
     assert main([*words, "--csv", str(table)]) == 0
     assert "us a step" in capsys.readouterr().out
     assert [row["joints"] for row in csv.DictReader(table.open())] == ["100", "200"] * 2

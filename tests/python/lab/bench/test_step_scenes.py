@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What `pliant bench step` pushes: its molecules are molecules, and what is wrong is said."""
+"""What `pliant lab bench step` pushes: its molecules are molecules, and what is wrong is said."""
 
 import json
 from itertools import combinations
@@ -151,7 +151,7 @@ def test_models_need_atoms():
 
 def test_the_command_takes_files(capsys):
     files = "data/molecules/alanine_dipeptide.pdb,data/molecules/peptide_20.pdb"
-    words = ["step", "--files", files, "--bars", "angles", "--steps", "10", "--rounds", "1"]
+    words = ["step", *files.split(","), "--bars", "angles", "--steps", "10", "--repeats", "1"]
     assert main([*words, "--json", "--quiet"]) == 0
     rows = json.loads(capsys.readouterr().out)["rows"]
     assert [(row["kind"], row["model"], row["joints"]) for row in rows] == [

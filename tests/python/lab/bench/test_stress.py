@@ -143,7 +143,7 @@ def test_examples_are_those_of_the_library():
 
 
 def test_the_command_shows_what_openmm_did(capsys):
-    words = ["stress", "--cases", "diamond", "--techniques", "blocks"]
+    words = ["stress", "--only", "diamond", "--technique", "blocks"]
     assert main(words) == 0
     out = capsys.readouterr().out
     assert "openmm_3603_diamond_1e-08" in out and "violations: none" in out
@@ -156,14 +156,14 @@ def test_the_command_shows_what_openmm_did(capsys):
 
 
 def test_no_such_case_is_one_line(capsys):
-    assert main(["stress", "--cases", "nonsense"]) == 2
+    assert main(["stress", "--only", "nonsense"]) == 2
     assert capsys.readouterr().err == (
-        "pliant bench stress: error: --cases: no case has 'nonsense' in its name or group\n"
+        "pliant lab bench stress: error: --only: no case has 'nonsense' in its name or group\n"
     )
 
 
 def test_a_violation_ends_with_1(capsys, monkeypatch):
     liar = dataclasses.replace(CASES[0], name="liar", group="liar", feasible=False)
     monkeypatch.setattr(stress_table, "all_cases", lambda *_: [liar])
-    assert main(["stress", "--techniques", "blocks", "--no-openmm"]) == 1
+    assert main(["stress", "--technique", "blocks", "--peers", "none"]) == 1
     assert "liar, blocks: said to have converged on what cannot be whole" in capsys.readouterr().out

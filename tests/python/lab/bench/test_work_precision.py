@@ -169,7 +169,7 @@ def test_ratios_compare_times_to_the_same_error():
 
 
 def test_the_command_writes_json_csv_and_a_picture(tmp_path, capsys):
-    options = "--tolerances 1e-2,1e-6 --repeats 1 --techniques blocks,bfs_cycle --no-gromacs --json"
+    options = "--tolerance 1e-2,1e-6 --repeats 1 --technique blocks,bfs_cycle --peers openmm --json"
     words = ["work-precision", str(CAFFEINE), *options.split()]
     words += ["--csv", str(tmp_path / "a.csv"), "-o", str(tmp_path / "a.png")]
     assert main(words) == 0
@@ -186,7 +186,7 @@ def test_the_command_writes_json_csv_and_a_picture(tmp_path, capsys):
 
 
 def test_the_table_names_everyone(capsys):
-    words = "--tolerances 1e-6 --repeats 1 --quiet --no-gromacs".split()
+    words = "--tolerance 1e-6 --repeats 1 --quiet --peers openmm".split()
     assert main(["work-precision", str(CAFFEINE), *words]) == 0
     out = capsys.readouterr().out
     assert all(
@@ -197,11 +197,11 @@ def test_the_table_names_everyone(capsys):
 @pytest.mark.parametrize(
     ("words", "code", "message"),
     [
-        (["work-precision", str(CAFFEINE), "--techniques", "none"], 2, 'no technique named "none"'),
+        (["work-precision", str(CAFFEINE), "--technique", "none"], 2, 'no technique named "none"'),
         (["work-precision", "none.pdb"], 1, "none.pdb"),
         (["scaling", "--kinds", "cube"], 2, 'no kind named "cube"; known: chain, tree, protein'),
         (["scaling", "--technique", "none"], 2, 'no technique named "none"'),
-        (["throughput", str(CAFFEINE), "--techniques", "none"], 2, 'no technique named "none"'),
+        (["throughput", str(CAFFEINE), "--technique", "none"], 2, 'no technique named "none"'),
     ],
 )
 def test_what_the_user_did_wrong_is_one_line(words, code, message, capsys):
@@ -215,4 +215,4 @@ def test_no_such_subcommand_ends_with_2(words, capsys):
     with pytest.raises(SystemExit) as ended:
         main(words)
     assert ended.value.code == 2
-    assert "pliant bench: error: " in capsys.readouterr().err
+    assert "pliant lab bench: error: " in capsys.readouterr().err

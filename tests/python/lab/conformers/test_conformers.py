@@ -235,7 +235,7 @@ def test_shares_differences_and_equal_times():
 @pytest.mark.long
 def test_the_command_measures_draws_and_writes(library, tmp_path, capsys):
     table, picture = tmp_path / "c.csv", tmp_path / "c.png"
-    words = ["conformers", "--data", str(library), "--counts", "3,6", "--csv", str(table)]
+    words = ["conformers", "--data", str(library), "--max", "3,6", "--csv", str(table)]
     assert main([*words, "-o", str(picture), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     names = [one.name for one in contenders.CONTENDERS if one.is_installed]
@@ -257,8 +257,8 @@ def test_the_command_measures_draws_and_writes(library, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("--contenders", "magic"), "--contenders magic: must be one of Pliant, ETKDGv3, CONFORGE"),
-        (("--counts", "many"), "--counts many: must be whole numbers from 1"),
+        (("--only", "magic"), "--only magic: must be one of Pliant, ETKDGv3, CONFORGE"),
+        (("--max", "many"), "--max many: must be whole numbers from 1"),
         (("--data", "nowhere.sdf"), "nowhere.sdf: no SDF or MOL file"),
     ],
 )

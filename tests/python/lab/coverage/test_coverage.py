@@ -121,7 +121,7 @@ def test_shares_are_counted_over_directions_and_by_distance(monkeypatch):
 @pytest.mark.long
 def test_the_command_measures_draws_and_writes(pairs, tmp_path, capsys):
     table, picture = tmp_path / "coverage.csv", tmp_path / "coverage.png"
-    words = ["coverage", "--data", str(pairs / "kinase"), "--ensembles", "reach,ANM"]
+    words = ["coverage", "--data", str(pairs / "kinase"), "--only", "reach,ANM"]
     words += ["--frames", "102"]
     assert main([*words, "--csv", str(table), "-o", str(picture), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -137,7 +137,7 @@ def test_the_command_measures_draws_and_writes(pairs, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("--ensembles", "magic"), "--ensembles magic: must be one of reach, turns, modes"),
+        (("--only", "magic"), "--only magic: must be one of reach, turns, modes"),
         (("--frames", "many"), "--frames many: must be whole numbers from 1"),
     ],
 )

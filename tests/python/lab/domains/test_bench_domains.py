@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Domains of known pairs, how assignments agree, and ``pliant bench domains``."""
+"""Domains of known pairs, how assignments agree, and ``pliant lab bench domains``."""
 
 import csv
 import json
@@ -86,7 +86,7 @@ def test_the_command_measures_a_pair_and_a_structure_alone(tmp_path, capsys):
         universe.trajectory[frame]
         atoms.write(tmp_path / "kinase" / f"{name}.pdb")
     table = tmp_path / "domains.csv"
-    words = ["domains", "--data", str(tmp_path), "--seeds", "2", "--frames", "60"]
+    words = ["domains", "--data", str(tmp_path), "--repeats", "2", "--frames", "60"]
     words += ["--also", str(tmp_path / "kinase" / "open.pdb"), "--csv", str(table)]
     assert main([*words, "--json"]) == 0
     rows = json.loads(capsys.readouterr().out)["rows"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The table of pliant experiment: what is in it, that it is the same again, and after a kill."""
+"""The table of pliant lab experiment: what is in it, the same again and after a kill."""
 
 import csv
 import dataclasses

@@ -22,7 +22,7 @@ WORDS = (
 @pytest.fixture
 def filled(tmp_path, capsys):
     """A test set made and filled by an experiment, and the experiment's folder."""
-    words = ["--output", str(tmp_path / "study"), "--folders", str(tmp_path / "set"), *WORDS]
+    words = ["--output", str(tmp_path / "study"), "--test-set", str(tmp_path / "set"), *WORDS]
     assert command.main(words) == 0
     assert "34 results written, 0 there already" in capsys.readouterr().out
     return tmp_path
@@ -119,15 +119,8 @@ def test_an_experiment_knows_its_test_set(tmp_path, capsys):
     assert "holds another experiment: test_set_digest" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("word", ["--seed", "--force", "--graphs", "--box", "--max-sweeps"])
-def test_what_the_set_says_is_not_said_again(word, tmp_path, capsys):
-    words = ["--output", str(tmp_path / "study"), "--test-set", str(tmp_path), word, "3"]
-    assert command.main(words) == 2
-    assert f"{word}: not with --test-set, which says it" in capsys.readouterr().err
-
-
 def test_folders_of_other_settings_are_refused(filled, capsys):
-    words = [*WORDS, "--output", str(filled / "more"), "--folders", str(filled / "set")]
+    words = [*WORDS, "--output", str(filled / "more"), "--test-set", str(filled / "set")]
     assert command.main([*words, "--force", "60"]) == 2
     assert "holds another test set: force 50.0 there, 60.0 asked" in capsys.readouterr().err
 

@@ -249,4 +249,4 @@ def test_the_command_prints_the_claims(experiment_folder, tmp_path, capsys, monk
 
 def test_a_folder_without_a_table(tmp_path, capsys):
     assert command.main(["report", str(tmp_path)]) == 1
-    assert "run pliant experiment -o" in capsys.readouterr().err
+    assert "run pliant lab experiment -o" in capsys.readouterr().err

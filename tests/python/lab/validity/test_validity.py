@@ -240,7 +240,7 @@ def test_gnm_is_the_closed_form_of_a_line():
 
 def test_the_command_writes_csv_and_a_picture(packages, capsys, tmp_path):
     table, picture = tmp_path / "rows.csv", tmp_path / "picture.png"
-    words = ["validity", "--rows", "adk_closed", "--frames", "12", "--seeds", "1"]
+    words = ["validity", "--only", "adk_closed", "--frames", "12", "--repeats", "1"]
     assert main([*words, "--csv", str(table), "--output", str(picture)]) == 0
     out = capsys.readouterr().out
     assert "AdK, closed to open" in out and " goals met" in out and "wrong: " not in out
@@ -269,7 +269,7 @@ def test_a_frame_that_is_not_exact_ends_with_1(packages, capsys, monkeypatch):
         return found
 
     monkeypatch.setattr(subject.Checker, "look", spoilt)
-    words = ["validity", "--rows", "adk_closed", "--frames", "12", "--seeds", "1", "--json"]
+    words = ["validity", "--only", "adk_closed", "--frames", "12", "--repeats", "1", "--json"]
     assert main(words) == 1
     found = json.loads(capsys.readouterr().out)
     assert found["broken"] == ["all 24 frames: flipped chirality 2"]
@@ -278,8 +278,8 @@ def test_a_frame_that_is_not_exact_ends_with_1(packages, capsys, monkeypatch):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--rows", "yeast"], "--rows: no group is named 'yeast'; known: ubiquitin, hiv, "),
-        (["--rows", "pairs"], "--rows: no group is named 'pairs'"),
+        (["--only", "yeast"], "--only: no group is named 'yeast'; known: ubiquitin, hiv, "),
+        (["--only", "pairs"], "--only: no group is named 'pairs'"),
         (["--frames", "11"], "expected a whole number from 12, found '11'"),
     ],
 )

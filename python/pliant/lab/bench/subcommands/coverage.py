@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench coverage``."""
+"""``pliant lab bench coverage``."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ of pliant sample, modes twice as wide, and straight displacements along the mode
 our own network, 2.8 Angstrom r.m.s., without repair."""
 EPILOG = """\
 examples:
-  pliant bench coverage --data pairs -o coverage.png
-  pliant bench coverage --data pairs --ensembles reach,ANM --frames 200 --csv coverage.csv"""
+  pliant lab bench coverage --data pairs -o coverage.png
+  pliant lab bench coverage --data pairs --only reach,ANM --frames 200 --csv coverage.csv"""
 
 
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
     add = parser.add_argument
     add("--data", metavar="FOLDER", required=True, help="folder of subfolders with two structures")
-    add("--ensembles", metavar="NAME,...", type=console.words, default=(), help="default: all")
+    add("--only", metavar="NAME,...", type=console.words, default=(), help="default: all")
     add("--frames", metavar="N,...", type=console.words, default=("200", "1000"),
         help="frames of each ensemble (default 200,1000)")  # fmt: skip
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help="default 0")
-    add("--processes", metavar="N", type=console.whole_number(1), default=1,
+    add("--workers", metavar="N", type=console.whole_number(1), default=1,
         help="processes that share the directions (default 1)")  # fmt: skip
     add("--csv", metavar="FILE", help="write a row for each direction as CSV")
     add("-o", "--output", metavar="FILE", help="draw nearest frames by distance (PNG)")
@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
     from pliant.base.extras import need
 
-    need("pliant bench coverage", "scipy")
+    need("pliant lab bench coverage", "scipy")
     from pliant._core import OptionError
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.coverage.ensembles import ENSEMBLES
@@ -49,9 +49,9 @@ def run(arguments: argparse.Namespace) -> int:
     from pliant.lab.coverage.report import print_report
 
     known = [one.name for one in ENSEMBLES]
-    for name in arguments.ensembles:
+    for name in arguments.only:
         if name not in known:
-            raise OptionError(f"--ensembles {name}: must be one of {', '.join(known)}")
+            raise OptionError(f"--only {name}: must be one of {', '.join(known)}")
     frames = []
     for word in arguments.frames:
         if not word.isdigit() or int(word) < 1:
@@ -60,10 +60,10 @@ def run(arguments: argparse.Namespace) -> int:
     with console.progress("directions", arguments.quiet or arguments.json) as show:
         found = coverage(
             arguments.data,
-            arguments.ensembles,
+            arguments.only,
             frames,
             seed=arguments.seed,
-            processes=arguments.processes,
+            processes=arguments.workers,
             progress=show,
         )
     if arguments.csv:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench domains``."""
+"""``pliant lab bench domains``."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ DynDom's criterion (Hayward and Berendsen 1998). Each pair is a subfolder of --d
 (PDB or mmCIF); those with a local.json are pockets and are left out."""
 EPILOG = """\
 examples:
-  pliant bench domains --data pairs
-  pliant bench domains --data pairs --seeds 3 --also 4E43.pdb,1hvr.pdb --csv domains.csv"""
+  pliant lab bench domains --data pairs
+  pliant lab bench domains --data pairs --repeats 3 --also 4E43.pdb,1hvr.pdb --csv domains.csv"""
 
 
 def add_options(parser: console.Parser) -> None:
@@ -27,10 +27,11 @@ def add_options(parser: console.Parser) -> None:
     add("--data", metavar="FOLDER", required=True, help="folder of subfolders with two structures")
     add("--also", metavar="FILE,...", type=console.words, default=(),
         help="structures without a pair, to compare seeds only")  # fmt: skip
-    add("--seeds", metavar="N", type=console.whole_number(1), default=10, help="default 10")
+    add("--repeats", metavar="N", type=console.whole_number(1), default=10,
+        help="ensembles of different seeds that are compared (default 10)")  # fmt: skip
     add("--frames", metavar="N", type=console.whole_number(4), default=200,
         help="frames of each ensemble (default 200)")  # fmt: skip
-    add("--processes", metavar="N", type=console.whole_number(1), default=1,
+    add("--workers", metavar="N", type=console.whole_number(1), default=1,
         help="processes that share the structures (default 1)")  # fmt: skip
     add("--csv", metavar="FILE", help="write a row for each structure as CSV")
 
@@ -39,7 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
     from pliant.base.extras import need
 
-    need("pliant bench domains", "scipy")
+    need("pliant lab bench domains", "scipy")
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.domains.measure import domains
     from pliant.lab.domains.report import print_report
@@ -47,10 +48,10 @@ def run(arguments: argparse.Namespace) -> int:
     with console.progress("structures", arguments.quiet or arguments.json) as show:
         table = domains(
             arguments.data,
-            arguments.seeds,
+            arguments.repeats,
             arguments.frames,
             arguments.also,
-            processes=arguments.processes,
+            processes=arguments.workers,
             progress=show,
         )
     if arguments.csv:

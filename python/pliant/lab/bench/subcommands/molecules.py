@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench molecules``."""
+"""``pliant lab bench molecules``."""
 
 from __future__ import annotations
 
@@ -15,21 +15,19 @@ the other is pushed by a random force, and the bars resolved by every technique,
 bond and with bars for the angles too. Each runs in a child process, and has --limit seconds."""
 EPILOG = """\
 examples:
-  pliant bench molecules
-  pliant bench molecules --molecules aspirin,C60 --techniques auto,bfs_cycle --csv loops.csv"""
+  pliant lab bench molecules
+  pliant lab bench molecules --only aspirin,C60 --technique auto,bfs_cycle --csv loops.csv"""
 
 
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
-    from pliant.lab.bench.molecules import LIMIT, STEPS
+    from pliant.lab.bench.molecules import STEPS
 
     add = parser.add_argument
-    add("--molecules", metavar="NAME,...", type=console.words, default=(), help="default: all 30")
-    add("--techniques", metavar="NAME,...", type=console.words, default=(), help="default: all")
+    add("--only", metavar="NAME,...", type=console.words, default=(), help="default: all 30")
+    add("--technique", metavar="NAME,...", type=console.words, default=(), help="default: all")
     add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
         help=f"pushes of each molecule (default {STEPS})")  # fmt: skip
-    add("--limit", metavar="SECONDS", type=console.positive_number, default=LIMIT,
-        help=f"for one technique on one molecule (default {LIMIT:g})")  # fmt: skip
     add("--csv", metavar="FILE", help="write a row for each molecule and technique as CSV")
 
 
@@ -37,26 +35,22 @@ def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
     from pliant.base.extras import need
 
-    need("pliant bench molecules", "rdkit", "openmm")
+    need("pliant lab bench molecules", "rdkit", "openmm")
     import pliant
     from pliant.lab.bench.molecules import molecule_loops, print_report
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.bench.well_known_molecules import MOLECULES
 
     for option, known in (
-        ("molecules", list(MOLECULES)),
-        ("techniques", [entry.name for entry in pliant.techniques()]),
+        ("only", list(MOLECULES)),
+        ("technique", [entry.name for entry in pliant.techniques()]),
     ):
         for name in getattr(arguments, option):
             if name not in known:
                 raise pliant.OptionError(f"--{option} {name}: must be one of {', '.join(known)}")
     with console.progress("runs", arguments.quiet or arguments.json) as show:
         found = molecule_loops(
-            arguments.molecules,
-            arguments.techniques,
-            steps=arguments.steps,
-            limit=arguments.limit,
-            progress=show,
+            arguments.only, arguments.technique, steps=arguments.steps, progress=show
         )
     if arguments.csv:
         write_csv(found.rows, arguments.csv)

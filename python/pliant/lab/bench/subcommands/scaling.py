@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench scaling``."""
+"""``pliant lab bench scaling``."""
 
 from __future__ import annotations
 
@@ -16,15 +16,14 @@ resident memory), and the exponent with which time grows, with its confidence in
 Sizes that do not fit into the free memory are skipped, with a note."""
 EPILOG = """\
 examples:
-  pliant bench scaling --sizes 1e3,1e4,1e5
-  pliant bench scaling --technique bfs_cycle --weighting 1 --kinds chain,tree
+  pliant lab bench scaling --sizes 1e3,1e4,1e5
+  pliant lab bench scaling --technique bfs_cycle --weighting 1 --kinds chain,tree
 """
 
 
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
     from pliant.lab.bench.large_frameworks import KINDS
-    from pliant.lab.bench.scaling import LIMIT_SECONDS
 
     add = parser.add_argument
     text, sizes = "numbers of joints (default 1e3,1e4,1e5,1e6,1e7)", "1e3,1e4,1e5,1e6,1e7"
@@ -39,8 +38,6 @@ def add_options(parser: console.Parser) -> None:
     add("--tolerance", metavar="T", type=console.positive_number, default=1e-6, help=text)
     text = "number of repairs; the median is reported (default 3)"
     add("--repeats", metavar="N", type=console.whole_number(1), default=3, help=text)
-    text = f"seconds for one size of one kind (default {LIMIT_SECONDS:g})"
-    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS, help=text)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -55,7 +52,6 @@ def run(arguments: argparse.Namespace) -> int:
             weighting=arguments.weighting,
             tolerance=arguments.tolerance,
             repeats=arguments.repeats,
-            limit_seconds=arguments.time_limit,
             progress=show,
         )
     console.print_json(found.as_json()) if arguments.json else print_report(found)

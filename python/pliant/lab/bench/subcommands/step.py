@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench step``."""
+"""``pliant lab bench step``."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ end bars and limits are measured again. Where one is broken, or a step did not c
 it is named, and the exit code is 1.
 
 chain, tree, protein and zigzag are points and bars; peptide is one long chain of alanines
-with all atoms, copies are molecules of 200 atoms side by side. With --files the molecules
+with all atoms, copies are molecules of 200 atoms side by side. With FILE the molecules
 of files take their place, and the ratio is to the smallest."""
 EPILOG = """\
 examples:
-  pliant bench step
-  pliant bench step --kinds chain --techniques bfs_cycle --sizes 1e3,1e4 --steps 100
-  pliant bench step --kinds peptide,copies,zigzag --bars angles --sizes 1e2,1e3,1e4
-  pliant bench step --kinds peptide --model protein --sizes 2e3,2e4 --memory
-  pliant bench step --files peptide_20.pdb,adk_open.pdb --model protein
+  pliant lab bench step
+  pliant lab bench step --kinds chain --technique bfs_cycle --sizes 1e3,1e4 --steps 100
+  pliant lab bench step --kinds peptide,copies,zigzag --bars angles --sizes 1e2,1e3,1e4
+  pliant lab bench step --kinds peptide --model protein --sizes 2e3,2e4 --memory
+  pliant lab bench step peptide_20.pdb adk_open.pdb --model protein
 """
 
 
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
-    from pliant.lab.bench.step import ROUNDS, SECONDS, STEPS, TECHNIQUES
+    from pliant.lab.bench.step import ROUNDS, STEPS, TECHNIQUES
     from pliant.lab.bench.step_scenes import BARS, FRAMEWORKS, MODELS, MOLECULES
 
     add = parser.add_argument
@@ -41,14 +41,15 @@ def add_options(parser: console.Parser) -> None:
     add("--sizes", metavar="N,N,...", type=console.positive_numbers, default="1e4,1e6", help=text)
     text = f"kinds of framework: {', '.join([*FRAMEWORKS, *MOLECULES])} (default protein)"
     add("--kinds", metavar="NAME,...", type=console.words, default=("protein",), help=text)
-    text = "molecule files in place of kinds and sizes"
-    add("--files", metavar="FILE,...", type=console.words, default=(), help=text)
+    add("files", metavar="FILE", nargs="*", help="molecule files in place of kinds and sizes")
     text = "what becomes a bar (default bonds)"
     add("--bars", choices=BARS, default="bonds", help=text)
     text = "as for pliant run; replaces --bars; without atoms there is none"
     add("--model", choices=[*BARS, *MODELS], help=text)
-    text = f"techniques (see pliant techniques; default {','.join(TECHNIQUES)}; auto if not bonds)"
-    add("--techniques", metavar="NAME,...", type=console.words, default=(), help=text)
+    text = (
+        f"techniques (see pliant lab techniques; default {','.join(TECHNIQUES)}; auto if not bonds)"
+    )
+    add("--technique", metavar="NAME,...", type=console.words, default=(), help=text)
     text = "weighting of the techniques (default 0.5)"
     add("--weighting", metavar="W", type=console.positive_number, default=0.5, help=text)
     text = "relative tolerance (default 1e-6)"
@@ -56,9 +57,7 @@ def add_options(parser: console.Parser) -> None:
     text = f"steps of a round at most (default {STEPS})"
     add("--steps", metavar="N", type=console.whole_number(1), default=STEPS, help=text)
     text = f"number of rounds; the median is reported (default {ROUNDS})"
-    add("--rounds", metavar="N", type=console.whole_number(1), default=ROUNDS, help=text)
-    text = f"seconds that a round of one size may take (default {SECONDS:g})"
-    add("--seconds", metavar="S", type=console.positive_number, default=SECONDS, help=text)
+    add("--repeats", metavar="N", type=console.whole_number(1), default=ROUNDS, help=text)
     text = "measure the memory too, each in a process of its own"
     add("--memory", action="store_true", help=text)
     add("--csv", metavar="FILE", help="write the rows as CSV")
@@ -77,12 +76,11 @@ def run(arguments: argparse.Namespace) -> int:
             kinds=arguments.kinds,
             files=arguments.files,
             model=model,
-            techniques=arguments.techniques or usual,
+            techniques=arguments.technique or usual,
             weighting=arguments.weighting,
             tolerance=arguments.tolerance,
             steps=arguments.steps,
-            rounds=arguments.rounds,
-            seconds=arguments.seconds,
+            rounds=arguments.repeats,
             memory=arguments.memory,
             progress=show,
         )

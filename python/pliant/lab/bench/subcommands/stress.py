@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench stress``."""
+"""``pliant lab bench stress``."""
 
 from __future__ import annotations
 
@@ -19,55 +19,51 @@ technique says 'converged' beyond the tolerance. Violations are named, and the e
 is then 1."""
 EPILOG = """\
 examples:
-  pliant bench stress --cases offset
-  pliant bench stress --techniques blocks,bfs_cycle --json > stress.json
+  pliant lab bench stress --only offset
+  pliant lab bench stress --technique blocks,bfs_cycle --json > stress.json
 """
 
 
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
-    from pliant.lab.bench.stress import LIMIT_SECONDS
-    from pliant.lab.bench.stress_table import FULL_STEPS, STEPS
+    from pliant.lab.bench.stress_table import STEPS
 
     add = parser.add_argument
     add(
-        "--cases",
+        "--only",
         metavar="WORD",
         default="",
         help="only cases with this word in their name or group",
     )
     text = "techniques (default: all)"
-    add("--techniques", metavar="NAME,...", type=console.words, default=(), help=text)
+    add("--technique", metavar="NAME,...", type=console.words, default=(), help=text)
     text = "weightings of these techniques (default 0.5)"
-    add("--weightings", metavar="W,W,...", type=console.positive_numbers, default=(0.5,), help=text)
+    add("--weighting", metavar="W,W,...", type=console.positive_numbers, default=(0.5,), help=text)
     text = f"steps of the runs of closed mechanisms (default {STEPS})"
     add("--steps", metavar="N", type=console.whole_number(1), default=STEPS, help=text)
-    add("--full", action="store_true", help=f"make {FULL_STEPS} steps, which takes hours")
     text = "make the large frameworks N times smaller (default 1)"
     add("--shrink", metavar="N", type=console.whole_number(1), default=1, help=text)
-    text = f"seconds for one technique on one case (default {LIMIT_SECONDS:g})"
-    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS, help=text)
-    add("--no-openmm", action="store_true", help="leave OpenMM out")
+    text = "other programs to measure (default openmm)"
+    add("--peers", choices=["openmm", "none"], default="openmm", help=text)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
     from pliant.lab.bench.stress import stress
     from pliant.lab.bench.stress_report import print_report
-    from pliant.lab.bench.stress_table import FULL_STEPS, all_cases
+    from pliant.lab.bench.stress_table import all_cases
 
-    cases = all_cases(arguments.shrink, FULL_STEPS if arguments.full else arguments.steps)
-    word = arguments.cases
+    cases = all_cases(arguments.shrink, arguments.steps)
+    word = arguments.only
     chosen = [case for case in cases if word in case.name or word in case.group]
     if not chosen:
-        raise OptionError(f"--cases: no case has '{word}' in its name or group")
+        raise OptionError(f"--only: no case has '{word}' in its name or group")
     with console.progress("cases", arguments.quiet or arguments.json) as show:
         found = stress(
             chosen,
-            techniques=arguments.techniques,
-            weightings=arguments.weightings,
-            limit_seconds=arguments.time_limit * (100 if arguments.full else 1),
-            openmm=not arguments.no_openmm,
+            techniques=arguments.technique,
+            weightings=arguments.weighting,
+            openmm=arguments.peers == "openmm",
             progress=show,
         )
     console.print_json(found.as_json()) if arguments.json else print_report(found)

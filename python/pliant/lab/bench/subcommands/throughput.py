@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench throughput``."""
+"""``pliant lab bench throughput``."""
 
 from __future__ import annotations
 
@@ -19,29 +19,27 @@ polar and with all hydrogens: milliseconds of a core, and how they grow with the
 atoms. Every frame is measured again; where one is broken the exit code is 1."""
 EPILOG = """\
 examples:
-  pliant bench throughput protein.pdb --tolerance 1e-10
-  pliant bench throughput adk_open.pdb adk_closed.pdb --frames 200
+  pliant lab bench throughput protein.pdb --tolerance 1e-10
+  pliant lab bench throughput adk_open.pdb adk_closed.pdb --frames 200
 """
 
 
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
-    from pliant.lab.bench.frames import HYDROGENS, SAMPLER
-    from pliant.lab.bench.throughput import CONFORMERS, REPEATS, TECHNIQUES, THREADS
+    from pliant.lab.bench.frames import SAMPLER
+    from pliant.lab.bench.throughput import REPEATS, TECHNIQUES, THREADS
 
     add = parser.add_argument
     text = "molecule file, as for pliant run; several with --frames"
     add("files", metavar="FILE", nargs="+", help=text)
     text = "make N frames of pliant sample instead"
     add("--frames", metavar="N", type=console.whole_number(2), help=text)
-    text = f"with --frames: {', '.join(HYDROGENS)} (default both)"
-    add("--hydrogens", metavar="NAME,...", type=console.words, default=HYDROGENS, help=text)
     text = f"with --frames: see pliant.samplers() (default {SAMPLER})"
     add("--sampler", metavar="NAME", default=SAMPLER, help=text)
     text = "what becomes a bar (default bonds)"
     add("--bars", choices=["bonds", "angles"], default="bonds", help=text)
-    text = f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})"
-    add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES, help=text)
+    text = f"techniques (see pliant lab techniques; default {','.join(TECHNIQUES)})"
+    add("--technique", metavar="NAME,...", type=console.words, default=TECHNIQUES, help=text)
     text = "weighting of the techniques (default 1)"
     add("--weighting", metavar="W", type=console.positive_number, default=1.0, help=text)
     text = "relative tolerance (default 1e-6)"
@@ -50,12 +48,11 @@ def add_options(parser: console.Parser) -> None:
     add("--displacement", metavar="A", type=console.positive_number, default=0.1, help=text)
     text = "numbers of threads (default 1,2)"
     add("--threads", metavar="N,N,...", type=console.positive_numbers, default=THREADS, help=text)
-    text = f"broken copies for each thread (default {CONFORMERS})"
-    add("--conformers", metavar="N", type=console.whole_number(1), default=CONFORMERS, help=text)
     text = f"number of rounds; the median is reported (default {REPEATS})"
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS, help=text)
     add("--csv", metavar="FILE", help="write the rows as CSV")
-    add("--without-openmm", action="store_true", help="time Pliant's techniques alone")
+    text = "other programs to measure (default openmm)"
+    add("--peers", choices=["openmm", "none"], default="openmm", help=text)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -72,14 +69,13 @@ def run(arguments: argparse.Namespace) -> int:
     found = throughput(
         arguments.files[0],
         bars=arguments.bars,
-        techniques=arguments.techniques,
+        techniques=arguments.technique,
         weighting=arguments.weighting,
         tolerance=arguments.tolerance,
         displacement=arguments.displacement,
         threads=tuple(round(count) for count in arguments.threads),
-        conformers=arguments.conformers,
         repeats=arguments.repeats,
-        openmm=not arguments.without_openmm,
+        openmm=arguments.peers == "openmm",
     )
     if arguments.csv:
         write_csv(found.rows, arguments.csv)
@@ -94,7 +90,6 @@ def _run_frames(arguments: argparse.Namespace) -> int:
     with console.progress("rounds", arguments.quiet or arguments.json) as show:
         found = frame_costs(
             arguments.files,
-            hydrogens=arguments.hydrogens,
             sampler=arguments.sampler,
             frames=arguments.frames,
             rounds=arguments.repeats,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench validity``."""
+"""``pliant lab bench validity``."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ what the method was tuned. The exit code is 1 if a frame is not exact; other mis
 are named, but are no failure."""
 EPILOG = """\
 examples:
-  pliant bench validity -o validity.png --csv validity.csv
-  pliant bench validity --rows ubiquitin,adk_closed --frames 100
-  pliant bench validity --rows pairs --pairs domainmotion"""
+  pliant lab bench validity -o validity.png --csv validity.csv
+  pliant lab bench validity --only ubiquitin,adk_closed --frames 100
+  pliant lab bench validity --only pairs --pairs domainmotion"""
 
 
 def add_options(parser: console.Parser) -> None:
@@ -36,7 +36,7 @@ def add_options(parser: console.Parser) -> None:
         "groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, turns, clashes, "
         "cost (default: all)"
     )
-    add("--rows", metavar="NAME,...", type=console.words, default=(), help=text)
+    add("--only", metavar="NAME,...", type=console.words, default=(), help=text)
     text = "look for files in this folder and its subfolders first, then in packages"
     add("--data", metavar="FOLDER", help=text)
     add(
@@ -48,7 +48,7 @@ def add_options(parser: console.Parser) -> None:
     text = "frames of each ensemble (default 200)"
     add("--frames", metavar="N", type=console.whole_number(12), default=200, help=text)
     text = "ensembles of different seeds that are compared (default 3)"
-    add("--seeds", metavar="N", type=console.whole_number(1), default=3, help=text)
+    add("--repeats", metavar="N", type=console.whole_number(1), default=3, help=text)
     add("--csv", metavar="FILE", help="write the rows as CSV")
     add("-o", "--output", metavar="FILE", help="draw profiles and overlaps (PNG)")
 
@@ -57,18 +57,18 @@ def run(arguments: argparse.Namespace) -> int:
     """Measures and prints; returns the exit code."""
     from pliant.base.extras import need
 
-    need("pliant bench validity", "MDAnalysis", "scipy")
+    need("pliant lab bench validity", "MDAnalysis", "scipy")
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.validity.ladder import validity
     from pliant.lab.validity.report import print_report
 
     with console.progress("groups", arguments.quiet or arguments.json) as show:
         found = validity(
-            arguments.rows,
+            arguments.only,
             data=arguments.data,
             pairs=arguments.pairs,
             frames=arguments.frames,
-            seeds=arguments.seeds,
+            seeds=arguments.repeats,
             progress=show,
         )
     if arguments.csv:

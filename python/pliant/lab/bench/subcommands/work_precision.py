@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench work-precision``."""
+"""``pliant lab bench work-precision``."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ constraints in its log, their errors those of its trajectory. Of LINCS's setting
 fastest that meets a tolerance counts."""
 EPILOG = """\
 examples:
-  pliant bench work-precision protein.pdb -o race.png --csv race.csv
-  pliant bench work-precision protein.pdb --bars angles --techniques blocks,bfs_reverse
+  pliant lab bench work-precision protein.pdb -o race.png --csv race.csv
+  pliant lab bench work-precision protein.pdb --bars angles --technique blocks,bfs_reverse
 """
 
 
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
-    from pliant.lab.bench.work_precision import LIMIT_SECONDS, REPEATS
+    from pliant.lab.bench.work_precision import REPEATS
 
     add = parser.add_argument
     add("file", metavar="FILE", help="molecule file, as for pliant run")
@@ -41,25 +41,23 @@ def add_options(parser: console.Parser) -> None:
     text = "seed of the displacement (default 0)"
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help=text)
     add(
-        "--tolerances",
+        "--tolerance",
         metavar="T,T,...",
         type=console.positive_numbers,
         default=",".join(f"1e-{k}" for k in range(2, 13)),
         help="relative tolerances, the largest first (default 1e-2,1e-3,...,1e-12)",
     )
     text = "techniques (default: all)"
-    add("--techniques", metavar="NAME,...", type=console.words, default=(), help=text)
+    add("--technique", metavar="NAME,...", type=console.words, default=(), help=text)
     text = f"number of rounds; the median is reported (default {REPEATS})"
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS, help=text)
-    text = f"seconds for one technique at one tolerance (default {LIMIT_SECONDS:g})"
-    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS, help=text)
     add(
         "--mass-weighted",
         action="store_true",
         help="also share corrections in proportion to inverse mass",
     )
-    add("--no-openmm", action="store_true", help="leave OpenMM out")
-    add("--no-gromacs", action="store_true", help="leave GROMACS out")
+    text = "other programs to measure (default all: OpenMM and, where it is installed, GROMACS)"
+    add("--peers", choices=["all", "openmm", "none"], default="all", help=text)
     add("--csv", metavar="FILE", help="write the rows as CSV")
     add("-o", "--output", metavar="FILE", help="draw run time against error (PNG)")
 
@@ -71,20 +69,19 @@ def run(arguments: argparse.Namespace) -> int:
     from pliant.lab.bench.work_precision_report import print_report
 
     if arguments.output:
-        need("a picture of pliant bench", "matplotlib", extra="lab")
+        need("a picture of pliant lab bench", "matplotlib", extra="lab")
     with console.progress("race", arguments.quiet or arguments.json) as show:
         found = work_precision(
             arguments.file,
             bars=arguments.bars,
             displacement=arguments.displacement,
             seed=arguments.seed,
-            tolerances=arguments.tolerances,
-            techniques=arguments.techniques,
+            tolerances=arguments.tolerance,
+            techniques=arguments.technique,
             repeats=arguments.repeats,
-            limit_seconds=arguments.time_limit,
             mass_weighted=arguments.mass_weighted,
-            openmm=not arguments.no_openmm,
-            gromacs=not arguments.no_gromacs,
+            openmm=arguments.peers != "none",
+            gromacs=arguments.peers == "all",
             progress=show,
         )
     if arguments.csv:

@@ -129,20 +129,6 @@ bool flush_contents(int descriptor) {
 #endif
 }
 
-/// On macOS fsync() does not wait for the disk's own cache.
-bool sync_contents(int descriptor) {
-#if defined(__APPLE__)
-  return ::fcntl(descriptor, F_FULLFSYNC) == 0 || ::fsync(descriptor) == 0;
-#else
-  return ::fdatasync(descriptor) == 0;
-#endif
-}
-
-void sync_names(const std::filesystem::path& folder) {
-  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened) ::fsync(opened.get());
-}
-
 /// The lock that `held` may have lasts until the file has lost its name.
 bool replace_name(const std::filesystem::path& from, const std::filesystem::path& to,
                   Descriptor /*held*/) {

@@ -189,14 +189,9 @@ bool resize_file(int descriptor, std::uint64_t size) {
   return keep_windows_error();
 }
 
-bool sync_contents(int descriptor) {
+bool flush_contents(int descriptor) {
   return ::FlushFileBuffers(handle_of(descriptor)) ? true : keep_windows_error();
 }
-
-bool flush_contents(int descriptor) { return sync_contents(descriptor); }
-
-/// Windows writes names through its journal; MoveFileExW() waits for it.
-void sync_names(const std::filesystem::path&) {}
 
 /// Since Windows 10 a file that others have open and share can be replaced. Older ones say "access
 /// is denied" for every open file.

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+"""A few frames that stand for all: by k-medoids on the RMSD, or one for each other shape."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pliant._core import OptionError
+from pliant.base.display import Displayed, Facts
+from pliant.measure.shapes.medoids import k_medoids
+from pliant.measure.shapes.other_shapes import shape_groups
+from pliant.trajectory.kind import ENSEMBLE
+from pliant.trajectory.superposition import pairwise_rmsd
+
+if TYPE_CHECKING:
+    from pliant.measure.stages.analysis import Analysis
+
+#: of more frames than these so many are taken, evenly
+MOST_FRAMES = 3000
+
+
+@dataclass(frozen=True)
+class Representatives(Displayed):
+    """k frames, and how well they stand for all."""
+
+    frames: np.ndarray  #: (k,) numbers in the file, those nearest to most frames first
+    nearest: np.ndarray  #: (k,) how many of the frames compared are nearest to each
+    mean_distance: float  #: of a frame from the one that stands for it, Angstrom
+    largest_distance: float  #: Angstrom
+    compared: int  #: frames that were compared
+    superposed_on: str  #: atoms
+    notes: tuple[str, ...]
+    output: str = ""  #: the file written
+
+    def facts(self) -> Facts:
+        """Which frames, and how well they stand for all."""
+        chosen = ", ".join(map(str, self.frames.tolist()))
+        far = f"{self.mean_distance:.2f} Å on average, {self.largest_distance:.2f} Å at most"
+        compared = f"{self.compared} frames, superposed on {self.superposed_on}"
+        files = [("file", self.output)] if self.output else []
+        return [("frames", chosen), ("a frame is off", far), ("compared", compared), *files]
+
+    def as_json(self) -> dict[str, Any]:
+        """The same as one JSON object."""
+        return dict(vars(self))
+
+
+def medoids(analysis: Analysis, count: int) -> tuple[Representatives, np.ndarray]:
+    """What stands for all frames, and its places among those analysed."""
+    notes = analysis.notes
+    stride = -(-len(analysis.frames) // MOST_FRAMES)
+    offered = len(analysis.frames[::stride])
+    if stride > 1:
+        notes.append(f"every {stride}th frame was compared")
+    if count > offered:
+        raise OptionError(f"representatives: expected up to {offered} frames, found {count}")
+    if analysis.kind != ENSEMBLE:
+        notes.append("these frames are no independent draws: see pliant sample")
+    compared = np.concatenate(list(analysis.some_positions(analysis.fitted.ix)))[::stride]
+    found = k_medoids(pairwise_rmsd(compared.astype(np.float64)), count)
+    chosen = found.frames * stride
+    representatives = Representatives(
+        analysis.frames[chosen],
+        np.bincount(found.owner, minlength=count),
+        float(found.distance.mean()),
+        float(found.distance.max()),
+        len(compared),
+        analysis.fitted_name,
+        tuple(notes),
+    )
+    return representatives, chosen
+
+
+def one_per_shape(analysis: Analysis) -> tuple[Representatives, np.ndarray]:
+    """The same of each other shape."""
+    found = shape_groups(analysis)
+    if found is None or len(found[1].representatives) == 0:
+        raise OptionError("shapes: there are no other shapes; see pliant sample --sampler reach")
+    groups = found[1]
+    distances = np.concatenate(groups.distances)
+    representatives = Representatives(
+        analysis.frames[groups.representatives],
+        np.array([len(members) for members in groups.members]),
+        float(distances.mean()),
+        float(distances.max()),
+        len(groups.compared),
+        "CA and P atoms",
+        tuple(analysis.notes),
+    )
+    return representatives, groups.representatives
