@@ -321,7 +321,7 @@ def test_nothing_is_said_of_draws_where_the_file_says_nothing(folder, report, tm
 def test_two_errors_hold_what_a_long_run_finds(tmp_path):
     """20 short ensembles beside one 20 times as long, from other random numbers."""
     for name, seed in (("long", 1), ("short", 2)):
-        words = ["--frames", 4000, "--seed", seed, "--quiet", "--single"]
+        words = ["--frames", 4000, "--seed", seed, "--quiet"]
         command("sample", PEPTIDE, "-o", tmp_path / f"{name}.h5md", *words)
     expected = pliant.analyse(tmp_path / "long.h5md").analysis[UnitFlexibility].found.rmsf
     inside = []

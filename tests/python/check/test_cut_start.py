@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`pliant check --start` with a structure that its periodic box cuts."""
+"""`pliant check --reference` with a structure that its periodic box cuts."""
 
 import numpy as np
 import pytest

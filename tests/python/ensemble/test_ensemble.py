@@ -5,7 +5,7 @@ import json
 import shutil
 
 import pytest
-from ensembles import PEPTIDE, call, made, same_bits, same_files, shards_of
+from ensembles import PEPTIDE, call, made, run_in_one_file, same_bits, same_files, shards_of
 from pliant.shards import scratch
 from pliant.trajectory.shards.plan import load_plan
 
@@ -13,8 +13,7 @@ RUN = ("--steps", 40, "--every", 10)
 
 
 def test_shards_have_the_bits_of_one_process(ensemble, tmp_path):
-    words = ("--walkers", 24, *RUN, "--one-file", "-o", tmp_path / "whole.h5md")
-    assert call("run", PEPTIDE, *words).returncode == 0
+    run_in_one_file(tmp_path / "whole.h5md", 24, steps=40, every=10)
     assert len(shards_of(ensemble)) == 6
     assert same_bits(ensemble, tmp_path / "whole.h5md")
 

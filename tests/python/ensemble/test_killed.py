@@ -15,6 +15,7 @@ from ensembles import (
     counted,
     kill_workers,
     made,
+    run_in_one_file,
     same_bits,
     shards_of,
     start,
@@ -31,8 +32,7 @@ MANY = ("--walkers", 256, "--shard-size", 8, *RUN)
 def whole(tmp_path_factory):
     """What one process makes of it."""
     path = tmp_path_factory.mktemp("whole") / "whole.h5md"
-    words = ("--walkers", 256, *RUN, "--one-file", "-o", path)
-    assert call("run", PEPTIDE, *words).returncode == 0
+    run_in_one_file(path, 256, steps=300, every=100)
     return path
 
 
@@ -164,6 +164,5 @@ def test_ten_thousand_walkers_and_twenty_kills(tmp_path):
     assert kill_workers(client, folder, kills=20, first=4, gap=9, seed=5) == 20
     _, err = client.communicate(timeout=1200)
     assert client.returncode == 0, err
-    words = ("--walkers", 10_000, *run, "--one-file", "-o", whole)
-    assert call("run", PEPTIDE, *words).returncode == 0
+    run_in_one_file(whole, 10_000, steps=100, every=50)
     expect_all(folder, whole, count=200)

@@ -36,6 +36,15 @@ def made(*words, code=0, **options):
     return json.loads(ended.stdout)
 
 
+def run_in_one_file(path, walkers, steps, every):
+    """What one process makes of the walkers that shards have."""
+    job = {"input": str(PEPTIDE), "output": str(path), "walkers": walkers, "one_file": True}
+    file = path.with_suffix(".json")
+    file.write_text(json.dumps({**job, "steps": steps, "every": every}))
+    ended = call("run", "--job", file, "--quiet")
+    assert ended.returncode == 0, ended.stdout
+
+
 def frames_of(paths, names=("walker", "sweeps", "max_residual")):
     """Positions, steps and observables of files, one after another."""
     parts = []

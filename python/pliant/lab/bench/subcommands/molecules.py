@@ -12,7 +12,7 @@ SUMMARY = "the loop of the thesis on 30 small molecules, by every technique"
 DESCRIPTION = """\
 Makes 30 well-known molecules by RDKit, from ethanol to cyclosporin. In each, one random joint after
 the other is pushed by a random force, and the bars resolved by every technique, with a bar for each
-bond and with bars for the angles too. Each runs in a child process, and has --limit seconds."""
+bond and with bars for the angles too. Each runs in a child process, and has two minutes."""
 EPILOG = """\
 examples:
   pliant lab bench molecules
