@@ -144,12 +144,12 @@ def test_names_with_line_ends_and_quotes_are_quoted():
     assert console.printable_name(Path('say "hi"')) == '"say \\"hi\\""'
 
 
-@pytest.mark.parametrize("command", ["check", "analyse", "compare"])
+@pytest.mark.parametrize("command", ["checks", "report", "report.compare"])
 def test_errors_name_such_a_file_safely(command, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     name = "\x1b]0;owned\x07.h5md"
     Path(name).write_bytes(b"no HDF5")
-    words = [name, name] if command == "compare" else [name]
+    words = [name, name] if command == "report.compare" else [name]
     assert importlib.import_module(f"pliant.{command}.command").main(words) == 1
     said = capsys.readouterr().err
     assert "\\x1b]0;owned\\x07.h5md" in said

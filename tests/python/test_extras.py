@@ -125,7 +125,7 @@ def commands():
         ("lab-bench", ["scaling"], "scipy", "SciPy", "lab"),
         ("lab-bench", ["stress"], "openmm", "OpenMM", "lab"),
         ("play", ["--connect", ":8888", str(CAFFEINE)], "websockets", "websockets", "play"),
-        ("experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
+        ("lab-experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
     ]  # fmt: skip  # a table: a row a line
 
 
@@ -145,7 +145,8 @@ def test_commands_say_what_is_missing_in_one_line(
     code = f"from {module} import {function}\nsys.exit({function}({words!r}))"
     ended = run_without(code, hidden, folder=tmp_path)
     assert ended.returncode == 2
-    pattern = rf'pliant {command}.*: error: .* needs {name}: pip install "pliant\[{extra}\]"\n'
+    said = command.replace("-", " ")
+    pattern = rf'pliant {said}.*: error: .* needs {name}: pip install "pliant\[{extra}\]"\n'
     assert re.fullmatch(pattern, ended.stderr)
     assert ended.stdout == ""
     assert list(tmp_path.iterdir()) == []
@@ -157,7 +158,7 @@ def test_help_needs_none(command):
     code = f"from {module} import {function}\n{function}(['--help'])"
     ended = run_without(code)
     assert ended.returncode == 0
-    assert ended.stdout.startswith(f"usage: pliant {command}")
+    assert ended.stdout.startswith(f"usage: pliant {command.replace('-', ' ', command.startswith('lab-'))}")
 
 
 def test_a_check_is_reported_without_rich_and_matplotlib(trajectory, tmp_path):

@@ -28,7 +28,7 @@ def pliant_json(*arguments):
 
 
 def techniques_for(cycles):
-    rows = pliant_json("techniques")["techniques"]
+    rows = pliant_json("lab", "techniques")["techniques"]
     return [row["name"] for row in rows if row["applies_to"] == "any" or cycles == 0]
 
 

@@ -24,7 +24,7 @@ CAFFEINE, ASPIRIN = MOLECULES / "caffeine.sdf", MOLECULES / "aspirin.sdf"
 #: A run that looks at its bar as often as it can, so that no machine is too fast to show it.
 RUN = f"""
 import pliant
-from pliant import _progress
+from pliant.base import progress as _progress
 _progress.DELAY = _progress.INTERVAL = 0.0
 pliant.run({str(CAFFEINE)!r}, steps=3000, every=3000)
 """
@@ -142,7 +142,7 @@ def test_a_terminal_without_tqdm_shows_a_bar():
 
 def test_it_can_be_hidden():
     assert on_a_terminal(RUN, TQDM_DISABLE="1") == ""
-    assert on_a_terminal("from pliant import _progress\n_progress.hide()" + RUN) == ""
+    assert on_a_terminal("from pliant.base import progress\nprogress.hide()" + RUN) == ""
 
 
 def test_a_notebook_shows_a_bar(tmp_path):

@@ -18,7 +18,7 @@ import sys, time, pliant
 structure = pliant.read_text("3\\nwater\\nO 0 0 0\\nH 0.96 0 0\\nH -0.24 0.93 0\\n", "water.xyz")
 recorder = pliant.H5mdRecorder(
     sys.argv[1], structure.framework(), structure=structure, flush_seconds=0.0,
-    compress=len(sys.argv) > 2)
+    precision=1e-6 if len(sys.argv) > 2 else 0.0)
 step = 0
 with recorder:
     print("ready", flush=True)
