@@ -21,6 +21,8 @@ def page() -> str:
 
 
 def _section(path: Path) -> str:
-    name = path.name.removesuffix(".help.txt").replace("-", " ", 1).replace("lab-", "lab ").replace("bench-", "bench ")
-    name = name.replace("experiment-", "experiment ").replace("-all", " --help-all")
+    name = path.name.removesuffix(".help.txt").replace("-", " ", 1)
+    for group in ("lab", "bench", "experiment"):
+        name = name.replace(f"{group}-", f"{group} ")
+    name = name.replace("-all", " --help-all")
     return f"## {name}\n\n```text\n{path.read_text().rstrip()}\n```\n"
