@@ -51,13 +51,12 @@ examples:
   pliant analyse many --workers 2          the folder of pliant ensemble
 
 For the folder of pliant ensemble, which may be larger than memory, it reports the flexibility of
-residues (with errors between walkers, or between frames of pliant sample), collective motions,
-contacts, clusters, and whether two halves of the walkers or frames agree. Torsions,
-stereochemistry, domains, shapes and report.html are left out. Only -o, --workers and the output
-options can be given.
+residues with errors, collective motions, contacts, clusters, and whether two halves agree.
+Torsions, stereochemistry, domains, shapes and report.html are left out. Only -o, --workers and the
+output options can be given.
 
 MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
-Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),
+Exit code: 0 analysed (even if bonds are off: see the verdict, or --json),
 1 the input cannot be read, 2 wrong usage."""
 
 #: options that --help shows

@@ -10,26 +10,22 @@ from pliant.shards.scratch import USUAL
 from pliant.trajectory.shards.plan import MOST
 
 DESCRIPTION = """\
-Runs many walkers (pliant run), or samples many frames (pliant sample), in shards that share the
-cores of one machine or of many. A shard is a file with some of the walkers or frames; its bits
-depend only on the input, the options, the seed and the numbers of these walkers or frames, not on
-where or in how many attempts it was made. Finished shards are kept: after a crash, a lost worker or
-Ctrl-C, the same command goes on from there.
+Samples very many frames in shards, which share the cores of one machine or of many. A shard is a
+file with some of the frames; its bits depend only on the input, the options, the seed and the
+numbers of these frames, not on where or in how many attempts it was made. Finished shards are kept:
+after a crash, a lost worker or Ctrl-C, the same command goes on from there.
 
-The frames are, bit for bit, those of one pliant sample with the same --frames. Of a larger
-protein half of them, in hundreds, stay near the start (modes); in the others domains turn: see
-pliant sample --help-all. With --sampler modes, turns, ... all frames are made by that sampler.
-
-It also takes the options of pliant run, or with --frames those of pliant sample."""
+The frames are, bit for bit, those of one pliant sample with the same --frames, whose other options
+it takes, too. With --walkers it makes walkers of pliant run, and takes the options of that."""
 
 EPILOG = """\
 examples:
-  pliant ensemble protein.pdb -o many --walkers 10000 --model protein --every 100
   pliant ensemble protein.pdb -o many --frames 100000 --amplitude 2 --workers 8
-  pliant ensemble protein.pdb -o many --walkers 10000 --scheduler tcp://head:8786
-  pliant ensemble protein.pdb -o many --walkers 10000 --cluster slurm.yaml
-  pliant ensemble protein.pdb -o many --walkers 10000 --slurm-script jobs.sh    without Dask
-  pliant ensemble protein.pdb -o many --walkers 10000 --slurm-script jobs.sh --walltime 12:00:00
+  pliant ensemble protein.pdb -o many --frames 100000 --scheduler tcp://head:8786
+  pliant ensemble protein.pdb -o many --frames 100000 --cluster slurm.yaml
+  pliant ensemble protein.pdb -o many --frames 100000 --slurm-script jobs.sh    without Dask
+  pliant ensemble protein.pdb -o many --frames 100000 --slurm-script jobs.sh --walltime 12:00:00
+  pliant ensemble protein.pdb -o many --walkers 10000 --model protein --every 100
   pliant ensemble --verify many
   pliant analyse many
 
@@ -49,7 +45,7 @@ COMMON = ("--output", "--frames", "--walkers", "--workers", "--verify")
 def ensemble_parser() -> Parser:
     """What takes the words of the command line apart."""
     parser = Parser("ensemble", DESCRIPTION, EPILOG, COMMON)
-    parser.usage = "pliant ensemble INPUT -o DIR (--walkers N | --frames N) [OPTIONS]"
+    parser.usage = "pliant ensemble INPUT -o DIR (--frames N | --walkers N) [OPTIONS]"
     _add_ensemble(parser.add_argument)
     _add_places(parser.add_argument_group("where").add_argument)
     _add_times(parser.add_argument_group("time and place").add_argument)
@@ -66,9 +62,9 @@ def _add_ensemble(add: Callable[..., object]) -> None:
     )
     add("-o", "--output", metavar="DIR", help="folder of the ensemble")
     number = whole_number(1, most=MOST)
-    add("--walkers", type=number, metavar="N", help="walkers of pliant run in all")
     add("--frames", type=number, metavar="N", help="frames of pliant sample in all")
-    text = "walkers (default: 128) or frames (default: 1024) a shard"
+    add("--walkers", type=number, metavar="N", help="walkers of pliant run in all")
+    text = "frames (default: 1024) or walkers (default: 128) a shard"
     add("--shard-size", type=number, metavar="N", help=text)
     add("--verify", metavar="DIR", help="check every byte of an ensemble, and make no shards")
     text = "make shard K of the ensemble in DIR, without Dask"
