@@ -19,7 +19,7 @@ import transcripts  # noqa: E402
 #: what the code of the gallery makes, and its name among the pictures
 NAMES = {
     "report/flexibility.png": "ubiquitin_flexibility.png",
-    "ubiquitin.compare-residues.png": "ubiquitin_comparison.png",
+    "pictures/ubiquitin.compare-residues.png": "ubiquitin_comparison.png",
     "adk/correlations.png": "adk_domains.png",
     "adk/shapes.png": "adk_shapes.png",
     "pocket/pockets.png": "hiv_pockets.png",
