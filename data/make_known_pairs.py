@@ -12,8 +12,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from pliant.lab.coverage.directions import directions_of
-from pliant.lab.validity.references import read_quietly
+from pliant.lab.pairs.directions import directions_of
+from pliant.lab.structures import read_quietly
 from pliant.measure.shapes.known_pairs import quartiles_of_like, softness
 from pliant.trajectory.superposition import rmsd_to
 from scipy.stats import spearmanr

@@ -5,13 +5,13 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from pliant.lab.experiment.claims import CLAIMS
+from pliant.base.processes import usual_workers
+from pliant.lab.experiment.claims import CLAIMS, evidence_by_yardstick
 from pliant.lab.experiment.drawings import group_bars
 from pliant.lab.experiment.laboratory import run_experiment
-from pliant.lab.experiment.pool import usable_cores
 from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.settled import settle
-from pliant.lab.experiment.statistics import YARDSTICKS, Evidence
+from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.sweep import run_sweep
 from pliant.report.figures import style
 
@@ -81,15 +81,14 @@ def make_thesis_picture(path):
     """Runs the default experiment and the sweep, and draws them."""
     with tempfile.TemporaryDirectory() as folder:
         settings = Settings(seed=1)
-        table = run_experiment(settings, Path(folder) / "study", workers=usable_cores())
-        points = run_sweep(settings, Path(folder), usable_cores())
+        table = run_experiment(settings, Path(folder) / "study", workers=usual_workers())
+        points = run_sweep(settings, Path(folder), usual_workers())
     draw(table, points, path)
 
 
 def draw(table, points, path):
     """The picture of an experiment and its sweep."""
-    evidence = Evidence(table)
-    all_evidence = {name: evidence.with_yardstick(name) for name in YARDSTICKS}
+    all_evidence = evidence_by_yardstick(Evidence(table))
     settled = settle(all_evidence, points)
     assert len(settled) == len(CLAIMS)
     with style.styled():

@@ -54,7 +54,7 @@ LONG_IN_PYTHON = [
     ("compare {folder}/helix.h5md {folder}/models.pdb -o out", ["out/helix.compare.png"]),
     ("check {folder}/helix.h5md --frames 2 -o out", ["out/helix.check.png"]),
     (
-        "lab bench step --sizes 1e2 --steps 10 --repeats 1 --kinds chain --technique bfs_cycle "
+        "lab bench step --sizes 1e2 --steps 10 --repeats 1 --kinds zigzag --technique bfs_cycle "
         "--csv o.csv",
         ["o.csv"],
     ),

@@ -37,7 +37,6 @@ PAGES = {
     "pliant-lab-experiment-sweep": ["lab", "experiment", "sweep", "--help"],
     "pliant-lab-bench": ["lab", "bench", "--help"],
     "pliant-lab-bench-work-precision": ["lab", "bench", "work-precision", "--help"],
-    "pliant-lab-bench-scaling": ["lab", "bench", "scaling", "--help"],
     "pliant-lab-bench-throughput": ["lab", "bench", "throughput", "--help"],
     "pliant-lab-bench-stress": ["lab", "bench", "stress", "--help"],
     "pliant-lab-bench-step": ["lab", "bench", "step", "--help"],
@@ -45,7 +44,6 @@ PAGES = {
     "pliant-lab-bench-coverage": ["lab", "bench", "coverage", "--help"],
     "pliant-lab-bench-domains": ["lab", "bench", "domains", "--help"],
     "pliant-lab-bench-conformers": ["lab", "bench", "conformers", "--help"],
-    "pliant-lab-bench-molecules": ["lab", "bench", "molecules", "--help"],
 }
 #: whose --help shows a part of their options
 WITH_MORE = (

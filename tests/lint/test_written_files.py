@@ -38,7 +38,7 @@ EXCEPTIONS = {
     ("trajectory/recover/recover.py", "copyfile("): "a copy that goes again",
     ("trajectory/recover/superblock.py", "open("): "that copy",
     ("lab/experiment/folders.py", ".rename("): "a folder of files, complete first",
-    ("lab/bench/scaling_child.py", "open("): "an order to the kernel",
+    ("lab/bench/step_memory.py", "open("): "an order to the kernel",
     ("checks/openmm/worker.py", "np.save("): "a process that may crash: its file is checked",
     ("checks/openmm/worker.py", "open("): "the same",
     ("checks/openmm/child.py", ".write_text("): "an empty file",

@@ -5,7 +5,7 @@ import csv
 from dataclasses import dataclass
 
 import pytest
-from pliant.lab.bench.rows import write_csv as write_rows
+from pliant.lab.results import write_csv as write_rows
 from pliant.report.tables import write_csv
 
 BAD = ["=1+1", "+cmd", "-x", "@SUM(A1)"]

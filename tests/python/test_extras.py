@@ -122,8 +122,7 @@ def commands():
          "lab"),
         ("ensemble", [str(CAFFEINE), "-o", "x", "--walkers", "2"], "distributed",
          "dask.distributed", "ensemble"),
-        ("lab-bench", ["scaling"], "scipy", "SciPy", "lab"),
-        ("lab-bench", ["stress"], "openmm", "OpenMM", "lab"),
+        ("lab-bench", ["stress"], "openmm", "OpenMM", "openmm"),
         ("play", ["--connect", ":8888", str(CAFFEINE)], "websockets", "websockets", "play"),
         ("lab-experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
     ]  # fmt: skip  # a table: a row a line

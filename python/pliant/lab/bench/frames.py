@@ -6,17 +6,16 @@ from __future__ import annotations
 import math
 import os
 import time
-import warnings
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 import pliant
-from pliant.base import console
 from pliant.lab.bench.step import worst_limit
-from pliant.lab.validity.alpha_carbons import amino_part, heavy_part
+from pliant.lab.results import Cell, Results, print_table
+from pliant.lab.structures import protein_model
 from pliant.measure import bars as _bars
 
 FRAMES, ROUNDS = 100, 5
@@ -48,7 +47,7 @@ class FrameRow:
 
 
 @dataclass
-class FrameCosts:
+class FrameCosts(Results):
     """All rows, and how time grows with size."""
 
     sampler: str
@@ -60,9 +59,37 @@ class FrameCosts:
         """Which frames are broken."""
         return [f"{r.input}, {r.hydrogens}: {f}" for r in self.rows for f in r.faults]
 
-    def as_json(self) -> dict[str, Any]:
-        """All of it as one JSON object."""
-        return {"pliant": pliant.__version__, **asdict(self)}
+    def print_report(self) -> None:
+        """A line a protein, and how time grows with size."""
+        print(
+            f"frames of sampler {self.sampler}, one thread, ms of a core without what comes before"
+        )
+        made = [row for row in self.rows if not row.refused]
+        print_table(made, COLUMNS)
+        for name, value in self.slopes.items():
+            mine = [row.milliseconds for row in made if row.hydrogens == name]
+            if math.isfinite(value):
+                print(
+                    f"{name} hydrogens: time grows with atoms to the power {value:.2f}; "
+                    f"{max(mine):.2f} ms at most, of {len(mine)} files"
+                )
+        for row in self.rows:
+            if row.refused:
+                print(f"refused: {row.input}, {row.hydrogens}: {row.refused}")
+        for fault in self.faults:
+            print(f"wrong: {fault}")
+
+
+COLUMNS: dict[str, Cell] = {
+    "protein": "input",
+    "hydrogens": "hydrogens",
+    "atoms": "atoms",
+    "ms a frame": "milliseconds:.2f",
+    "half of the rounds": lambda row: f"{row.quarter:.2f} to {row.three_quarters:.2f}",
+    "before, ms": "milliseconds_before:.0f",
+    "drawn again": "redrawn",
+    "failed": "failed",
+}
 
 
 class _Subject:
@@ -70,11 +97,8 @@ class _Subject:
 
     def __init__(self, path: str | os.PathLike[str], hydrogens: str, sampler: str) -> None:
         self.row = FrameRow(os.path.basename(os.fspath(path)), hydrogens)
-        part = amino_part(pliant.read(path))
-        if hydrogens == "polar":
-            self._model = pliant.build_model(heavy_part(part), "protein")
-        else:
-            self._model = pliant.build_model(part, "protein", all_hydrogens=True)
+        polar = hydrogens == "polar"
+        self._model = protein_model(path, polar_hydrogens=polar, all_hydrogens=not polar)
         framework = self._model.framework
         self._bars = np.array(framework.bars, dtype=np.int64).reshape(-1, 2)
         self._sampler = sampler
@@ -134,7 +158,6 @@ class _Subject:
 def frame_costs(
     files: Sequence[str | os.PathLike[str]],
     *,
-    hydrogens: Sequence[str] = HYDROGENS,
     sampler: str = SAMPLER,
     frames: int = FRAMES,
     rounds: int = ROUNDS,
@@ -143,17 +166,14 @@ def frame_costs(
 ) -> FrameCosts:
     """Makes frames of every file in rounds that take turns; what is refused has a row that says so.
 
-    Raises OptionError for hydrogens that are neither polar nor all, and for an unknown sampler.
+    Raises OptionError for an unknown sampler.
     """
-    for name in hydrogens:
-        if name not in HYDROGENS:
-            raise pliant.OptionError(f"hydrogens {name}: must be polar or all")
     known = [entry.name for entry in pliant.samplers()]
     if sampler not in known:
         raise pliant.OptionError(f"sampler {sampler}: must be one of {', '.join(known)}")
     found, subjects = FrameCosts(sampler), []
     for path in files:
-        for name in hydrogens:
+        for name in HYDROGENS:
             subject, row = _begin(path, name, sampler)
             found.rows.append(row)
             subjects += [subject] if subject is not None else []
@@ -163,7 +183,7 @@ def frame_costs(
             subject.run(frames, seed + k)
     for subject in subjects:
         subject.finish(warm_up=1)
-    found.slopes = {name: slope(found.rows, name) for name in hydrogens}
+    found.slopes = {name: slope(found.rows, name) for name in HYDROGENS}
     return found
 
 
@@ -171,9 +191,7 @@ def _begin(
     path: str | os.PathLike[str], hydrogens: str, sampler: str
 ) -> tuple[_Subject | None, FrameRow]:
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", pliant.PliantWarning)  # of chain breaks, elements
-            subject = _Subject(path, hydrogens, sampler)
+        subject = _Subject(path, hydrogens, sampler)
     except pliant.Error as error:
         name = os.path.basename(os.fspath(path))
         return None, FrameRow(name, hydrogens, refused=str(error))
@@ -187,38 +205,3 @@ def slope(rows: Sequence[FrameRow], hydrogens: str) -> float:
         return math.nan
     logs = np.log([[row.atoms, row.milliseconds] for row in mine])
     return float(np.polyfit(logs[:, 0], logs[:, 1], 1)[0])
-
-
-def print_report(found: FrameCosts) -> None:
-    """The table for people."""
-    print(f"frames of sampler {found.sampler}, one thread, ms of a core without what comes before")
-    columns = ["protein", "hydrogens", "atoms", "ms a frame", "half of the rounds"]
-    columns += ["before, ms", "drawn again", "failed"]
-    table = console.Table("", columns, text_columns=(0, 1))
-    table.rows = [_cells(row) for row in found.rows if not row.refused]
-    table.print()
-    for name, value in found.slopes.items():
-        mine = [r.milliseconds for r in found.rows if r.hydrogens == name and not r.refused]
-        if math.isfinite(value):
-            print(
-                f"{name} hydrogens: time grows with atoms to the power {value:.2f}; "
-                f"{max(mine):.2f} ms at most, of {len(mine)} files"
-            )
-    for row in found.rows:
-        if row.refused:
-            print(f"refused: {row.input}, {row.hydrogens}: {row.refused}")
-    for fault in found.faults:
-        print(f"wrong: {fault}")
-
-
-def _cells(row: FrameRow) -> list[str]:
-    return [
-        row.input,
-        row.hydrogens,
-        str(row.atoms),
-        f"{row.milliseconds:.2f}",
-        f"{row.quarter:.2f} to {row.three_quarters:.2f}",
-        f"{row.milliseconds_before:.0f}",
-        str(row.redrawn),
-        str(row.failed),
-    ]

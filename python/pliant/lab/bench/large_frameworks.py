@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Chains, branched trees and protein-like frameworks of any size, made without a loop over joints.
+"""Protein-like frameworks and zigzag chains of any size, made without a loop over joints.
 
-Joints or residues lie along a snake through a cube, so that coordinates stay small: a million
-joints reach 150 Angstrom, not 1.5 million, and rounding stays below every tolerance.
+Residues lie along a snake through a cube, so that coordinates stay small: a million joints reach
+150 Angstrom, not 1.5 million, and rounding stays below every tolerance.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -21,9 +20,8 @@ class Large(NamedTuple):
     bars: np.ndarray  #: (B, 2)
 
 
-SPACING = 1.5  #: Angstrom between neighbours along the snake
 RESIDUE_SPACING = 8.0
-MOST_BACK = 4  #: a joint of a branched tree hangs on one of so many before it
+ZIGZAG_LENGTH, ZIGZAG_ANGLE = 1.53, 112.0  #: Angstrom, degrees
 
 
 def snake(count: int) -> np.ndarray:
@@ -35,27 +33,6 @@ def snake(count: int) -> np.ndarray:
     x = np.where(row % 2 == 0, x, side - 1 - x)
     y = np.where(plane % 2 == 0, y, side - 1 - y)
     return np.column_stack([x, y, plane]).astype(float)
-
-
-def _jittered(positions: np.ndarray, seed: int) -> np.ndarray:
-    draw = np.random.Generator(np.random.PCG64(seed))
-    return positions + draw.normal(scale=0.15, size=positions.shape)
-
-
-def chain(count: int, seed: int = 0) -> Large:
-    """A bent chain of `count` joints."""
-    joints = np.arange(count)
-    positions = _jittered(SPACING * snake(count), seed)
-    return Large(positions, np.column_stack([joints[:-1], joints[1:]]))
-
-
-def tree(count: int, seed: int = 0) -> Large:
-    """A branched tree: each joint hangs on one of the MOST_BACK before it."""
-    draw = np.random.Generator(np.random.PCG64([seed, 1]))
-    joints = np.arange(1, count)
-    back = draw.integers(1, MOST_BACK + 1, size=count - 1)
-    parents = np.maximum(joints - back, 0)
-    return Large(_jittered(SPACING * snake(count), seed), np.column_stack([parents, joints]))
 
 
 # Stylised residues: N, H, CA, HA, C, O, CB and two hydrogens on it; then a hydrogen (alanine) or a
@@ -101,7 +78,14 @@ def protein(count: int, seed: int = 0) -> Large:
     shift = first[-1] * np.arange(repeats)[:, None, None]
     bars = (np.concatenate([own, links]) + shift).reshape(-1, 2)
     whole = bars[bars.max(axis=1) < len(positions)]  # the last C has no next N
-    return Large(_jittered(positions, seed), whole)
+    draw = np.random.Generator(np.random.PCG64(seed))
+    return Large(positions + draw.normal(scale=0.15, size=positions.shape), whole)
 
 
-KINDS: dict[str, Callable[..., Large]] = {"chain": chain, "tree": tree, "protein": protein}
+def zigzag(count: int) -> Large:
+    """A planar zigzag chain, as of carbon atoms: under angles the hardest of all chains."""
+    joints = np.arange(count)
+    half = math.radians(0.5 * ZIGZAG_ANGLE)
+    x, y = ZIGZAG_LENGTH * math.sin(half) * joints, ZIGZAG_LENGTH * math.cos(half) * (joints % 2)
+    positions = np.column_stack([x - x.mean(), y, np.zeros(count)])
+    return Large(positions, np.column_stack([joints[:-1], joints[1:]]))

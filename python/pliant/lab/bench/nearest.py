@@ -11,14 +11,11 @@ of the library's own solvers is used, so that it can judge them.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from scipy.sparse import csr_matrix, diags_array
+from scipy.sparse.linalg import splu
 
 from pliant.lab.bench.target import Target
-
-if TYPE_CHECKING:
-    from scipy.sparse import csr_matrix
 
 MOST_STEPS = 100
 WHOLE = 1e-12  #: largest relative residual of what counts as whole
@@ -29,9 +26,6 @@ def nearest_whole(
     target: Target, broken: np.ndarray, masses: np.ndarray | None = None
 ) -> np.ndarray | None:
     """(N, 3) Angstrom; `masses` (N,) weigh the distance, if given. None if steps lead nowhere."""
-    from scipy.sparse import diags_array
-    from scipy.sparse.linalg import splu
-
     weights = diags_array(np.repeat(1.0 / (np.ones(len(broken)) if masses is None else masses), 3))
 
     x: np.ndarray = broken.copy()
@@ -54,8 +48,6 @@ def nearest_whole(
 
 
 def _linearised(target: Target, x: np.ndarray) -> tuple[csr_matrix, np.ndarray]:
-    from scipy.sparse import csr_matrix
-
     bars = target.bars
     along = x[bars[:, 1]] - x[bars[:, 0]]
     length = np.linalg.norm(along, axis=1)

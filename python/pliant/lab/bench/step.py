@@ -6,15 +6,15 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 import pliant
-from pliant.base import console
 from pliant.lab.bench.step_memory import bytes_per_joint
 from pliant.lab.bench.step_scenes import Scene, check_kind, make_scene
+from pliant.lab.results import Cell, Results, print_table
 from pliant.measure import bars as _bars
 
 SIZES = (1e4, 1e6)
@@ -52,7 +52,7 @@ class StepRow:
 
 
 @dataclass
-class Steps:
+class Steps(Results):
     """All rows."""
 
     weighting: float
@@ -65,9 +65,27 @@ class Steps:
         """Where bars were broken in the end."""
         return [f"{r.kind} of {r.joints}, {r.technique}: {f}" for r in self.rows for f in r.faults]
 
-    def as_json(self) -> dict[str, Any]:
-        """All of it as one JSON object."""
-        return {"pliant": pliant.__version__, **asdict(self)}
+    def print_report(self) -> None:
+        """A line a technique and size, and what is wrong."""
+        print(
+            f"a push of one joint, tolerance {self.tolerance:g}, weighting {self.weighting:g} "
+            f"where it means something; at most {self.steps} steps a round"
+        )
+        print_table(self.rows, COLUMNS)
+        for fault in self.faults:
+            print(f"wrong: {fault}")
+
+
+COLUMNS: dict[str, Cell] = {
+    "framework, model, technique": lambda row: f"{row.kind}, {row.model}, {row.technique}",
+    "joints": "joints",
+    "us a step": "step_microseconds:.2f",
+    "half of the rounds": lambda row: f"{row.quarter:.2f} to {row.three_quarters:.2f}",
+    "bars a step": "projections:.1f",
+    "ratio": "ratio:.2f",
+    "from to": lambda row: f"{row.ratio_least:.2f} to {row.ratio_most:.2f}",
+    "bytes a joint": "bytes_per_joint:.0f",
+}
 
 
 class Subject:
@@ -164,8 +182,9 @@ def steps_of_pushes(
     *,
     kinds: Sequence[str] = ("protein",),
     files: Sequence[str | os.PathLike[str]] = (),
-    model: str = "bonds",
-    techniques: Sequence[str] = TECHNIQUES,
+    bars: str = "bonds",
+    model: str | None = None,
+    techniques: Sequence[str] = (),
     weighting: float = 0.5,
     tolerance: float = 1e-6,
     steps: int = STEPS,
@@ -180,6 +199,8 @@ def steps_of_pushes(
     With `files` their molecules take the place of kinds and sizes; the ratio is to the smallest.
     Raises OptionError for a kind that there is not, and what `read` and `build_model` raise.
     """
+    model = model or bars
+    techniques = techniques or (TECHNIQUES if model == "bonds" else ("auto",))
     for kind in () if files else kinds:
         check_kind(kind, model)
     found = Steps(weighting, tolerance, steps)
@@ -233,35 +254,3 @@ def _with_ratios(rows: list[StepRow]) -> list[StepRow]:
         row.ratio_least = row.quarter / least.three_quarters
         row.ratio_most = row.three_quarters / least.quarter
     return rows
-
-
-def print_report(found: Steps) -> None:
-    """The table for people."""
-    print(
-        f"a push of one joint, tolerance {found.tolerance:g}, weighting {found.weighting:g} where "
-        f"it means something; at most {found.steps} steps a round"
-    )
-    columns = ["framework, model, technique", "joints", "us a step", "half of the rounds"]
-    columns += ["bars a step", "ratio", "from to"]
-    weighed = any(row.bytes_per_joint is not None for row in found.rows)
-    table = console.Table("", columns + ["bytes a joint"] * weighed)
-    table.rows = [_cells(row) + [_bytes(row)] * weighed for row in found.rows]
-    table.print()
-    for fault in found.faults:
-        print(f"wrong: {fault}")
-
-
-def _bytes(row: StepRow) -> str:
-    return "" if row.bytes_per_joint is None else f"{row.bytes_per_joint:.0f}"
-
-
-def _cells(row: StepRow) -> list[str]:
-    return [
-        f"{row.kind}, {row.model}, {row.technique}",
-        str(row.joints),
-        f"{row.step_microseconds:.2f}",
-        f"{row.quarter:.2f} to {row.three_quarters:.2f}",
-        f"{row.projections:.1f}",
-        f"{row.ratio:.2f}",
-        f"{row.ratio_least:.2f} to {row.ratio_most:.2f}",
-    ]

@@ -6,6 +6,8 @@ Run as ``python -m pliant.lab.bench.step_memory`` with a JSON object of options;
 
 from __future__ import annotations
 
+import contextlib
+import ctypes
 import json
 import subprocess
 import sys
@@ -14,11 +16,28 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant.lab.bench.scaling_child import forget_peak, resident
 from pliant.lab.bench.step_scenes import make_scene
 
 STEPS = 10
 LIMIT_SECONDS = 600.0
+
+
+def resident(field: str) -> int | None:
+    """Bytes of memory: field VmRSS (now) or VmHWM (peak); None where the system does not say."""
+    try:
+        with open("/proc/self/status", encoding="ascii") as file:
+            line = next(line for line in file if line.startswith(field))
+    except (OSError, StopIteration):
+        return None
+    return 1024 * int(line.split()[1])
+
+
+def forget_peak() -> None:
+    """Makes the peak what is resident now, what was freed given back to the system."""
+    with contextlib.suppress(OSError, AttributeError):  # glibc only
+        ctypes.CDLL(None).malloc_trim(0)
+    with contextlib.suppress(OSError), open("/proc/self/clear_refs", "w", encoding="ascii") as file:
+        file.write("5")
 
 
 def measure_one(options: dict[str, Any]) -> dict[str, float | None]:
@@ -49,10 +68,8 @@ def bytes_per_joint(options: dict[str, Any]) -> dict[str, float | None]:
     """The same, measured in a new process; None where it did not end well."""
     command = [sys.executable, "-W", "ignore", "-m", __name__, json.dumps(options)]
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT_SECONDS)
-    except subprocess.TimeoutExpired:
-        return {"run": None, "made": None}
-    if done.returncode != 0:
+        done = subprocess.run(command, capture_output=True, timeout=LIMIT_SECONDS, check=True)
+    except subprocess.SubprocessError:
         return {"run": None, "made": None}
     found: dict[str, float | None] = json.loads(done.stdout)
     return found

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,25 +10,15 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
-from pliant.lab.bench.large_frameworks import KINDS, Large
+from pliant.lab.bench.large_frameworks import Large, protein, zigzag
 from pliant.lab.bench.large_molecules import copies, many_peptides, peptide
 from pliant.measure import bars as _bars
 
 BARS = ("bonds", "angles")
 MODELS = ("molecule", "protein")  #: of pliant.models(), besides those of bars alone
-ZIGZAG_LENGTH, ZIGZAG_ANGLE = 1.53, 112.0  #: Angstrom, degrees
 
 
-def zigzag(count: int, seed: int = 0) -> Large:
-    """A planar zigzag chain, as of carbon atoms: under angles the hardest of all chains."""
-    joints = np.arange(count)
-    half = math.radians(0.5 * ZIGZAG_ANGLE)
-    x, y = ZIGZAG_LENGTH * math.sin(half) * joints, ZIGZAG_LENGTH * math.cos(half) * (joints % 2)
-    positions = np.column_stack([x - x.mean(), y, np.zeros(count)])
-    return Large(positions, np.column_stack([joints[:-1], joints[1:]]))
-
-
-FRAMEWORKS: dict[str, Callable[..., Large]] = {**KINDS, "zigzag": zigzag}
+FRAMEWORKS: dict[str, Callable[[int], Large]] = {"protein": protein, "zigzag": zigzag}
 MOLECULES: dict[str, Callable[[int], pliant.Structure]] = {
     "peptide": peptide,
     "copies": many_peptides,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every hard case by every technique, and what OpenMM does with the same, each in a child process.
+"""Every hard case by every technique, each in a child process.
 
 What must never happen is called a violation: a process that dies, a position that is no number, a
 joint moved that is pinned, "converged" where a bar measured anew is beyond the tolerance.
@@ -7,36 +7,40 @@ joint moved that is pinned, "converged" where a bar measured anew is beyond the 
 
 from __future__ import annotations
 
+import itertools
 import math
 import pathlib
-from collections.abc import Callable, Iterator, Sequence
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
 
 import pliant
-from pliant.base.extras import need
-from pliant.checks.openmm.angles import MOST_BARS_WITH_ANGLES
+from pliant.checks.openmm import worker
 from pliant.checks.openmm.child import Job, Outcome, run_jobs
-from pliant.lab.bench.least_squares import MOST_BARS, least_squares_floor
-from pliant.lab.bench.stress_cases import Broken, Case
-from pliant.lab.peers.ccma import NM
+from pliant.lab.bench.stress_cases import Case
+from pliant.lab.bench.stress_frameworks import Broken
+from pliant.lab.results import Results, print_table
 from pliant.measure import bars as _bars
 
-WORKER = pathlib.Path(__file__).with_name("stress_worker.py")
 LIMIT_SECONDS = 30.0  #: for one technique on one case
 MOST_TOGETHER = 20  #: cases that share a child process
-CONVERGED, INFEASIBLE, REFUSED = "converged", "infeasible", "refused"
+CONVERGED, REFUSED = "converged", "refused"
 
 
 @dataclass
-class StressRow:
-    """One technique, or OpenMM, on one case."""
+class Row:
+    """One technique on one case."""
 
+    case: str
+    bars: int
+    steps: int
     method: str
     weighting: float | None
-    outcome: str  #: "converged", "max_sweeps", "infeasible", "not_finite", "refused", "died" ...
+    outcome: str  #: "converged", "max_sweeps", "not_finite", "refused", "died", "too_slow"
     max_residual: float = math.nan  #: measured anew; of a run that of its worst step
     worst_bar: str = ""
     sweeps: int | None = None
@@ -47,48 +51,62 @@ class StressRow:
 
 
 @dataclass
-class StressCase:
-    """One case with all its rows."""
+class Stress(Results):
+    """All techniques on all cases."""
 
-    name: str
-    group: str
-    source: str
-    joints: int
-    bars: int
-    tolerance: float
-    steps: int
-    feasible: bool | None
-    floor: float = math.nan  #: rms relative residual of least squares, where anyone fell short
-    floor_worst_bar: str = ""
-    rows: list[StressRow] = field(default_factory=list)
-    openmm: StressRow | None = None
-
-
-@dataclass
-class Stress:
-    """The whole table."""
-
-    cases: list[StressCase]
-    openmm_version: str = ""
+    rows: list[Row] = field(default_factory=list)
 
     @property
-    def violations(self) -> list[str]:
-        """One line for each thing that must never happen."""
-        return [
-            f"{case.name}, {row.method}: {row.violation}"
-            for case in self.cases
-            for row in case.rows
-            if row.violation
-        ]
+    def faults(self) -> list[str]:
+        """The violations."""
+        return [f"{row.case}, {row.method}: {row.violation}" for row in self.rows if row.violation]
 
-    def as_json(self) -> dict[str, Any]:
-        """All of it as one JSON object."""
-        return {
-            "pliant": pliant.__version__,
-            "openmm": self.openmm_version,
-            "violations": self.violations,
-            "cases": [asdict(case) for case in self.cases],
-        }
+    def print_report(self) -> None:
+        """A line for each case: how many techniques converged, what became of the others."""
+        groups = itertools.groupby(self.rows, lambda row: row.case)
+        cases = [list(rows) for _, rows in groups]
+        print_table(cases, COLUMNS)
+        print(f"\n{len(cases)} cases, {len(self.rows)} repairs or runs")
+        print(f"violations: {len(self.faults) or 'none'}")
+        for line in self.faults:
+            print(f"  {line}")
+
+
+def _good(rows: Sequence[Row]) -> list[Row]:
+    return [row for row in rows if row.outcome == CONVERGED]
+
+
+def _others(rows: Sequence[Row]) -> list[Row]:
+    return [row for row in rows if row.outcome != CONVERGED]
+
+
+def _outcomes(rows: Sequence[Row]) -> str:
+    """Of those that did not converge; of a run in how many of its steps."""
+    others = _others(rows)
+    counts = Counter(row.outcome for row in others)
+    text = ", ".join(f"{count} {name}" for name, count in counts.items())
+    missed = [row.unconverged for row in others if row.unconverged is not None]
+    if rows[0].steps and missed:
+        text += f" in {min(missed)} to {max(missed)} of {rows[0].steps} steps"
+    return text
+
+
+def _worst(rows: Sequence[Row]) -> str:
+    known = [row for row in rows if math.isfinite(row.max_residual)]
+    if not known:
+        return ""
+    row = max(known, key=lambda row: row.max_residual)
+    return f"{row.max_residual:.1e}, bar {row.worst_bar}"
+
+
+COLUMNS: dict[str, Callable[[Sequence[Row]], object]] = {
+    "case": lambda rows: rows[0].case,
+    "bars": lambda rows: rows[0].bars,
+    "converged": lambda rows: f"{len(_good(rows))} of {len(rows)}",
+    "worst of these": lambda rows: _worst(_good(rows)),
+    "others": _outcomes,
+    "worst of them": lambda rows: _worst(_others(rows)),
+}
 
 
 def stress(
@@ -97,111 +115,77 @@ def stress(
     techniques: Sequence[str] = (),
     weightings: Sequence[float] = (0.5,),
     limit_seconds: float = LIMIT_SECONDS,
-    openmm: bool = True,
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> Stress:
     """Tries all techniques, or those named, on all cases."""
-    need("pliant lab bench stress", "openmm", "scipy", extra="lab")
     for name in techniques:
         pliant.Resolver(pliant.Framework([[0, 1]], [1.0]), name)  # refuses unknown names
-    found = Stress([])
+    found = Stress()
     done = 0
     for batch in _batches(cases):
         progress(done, len(cases))
-        made = [(case, case.make()) for case in batch]
-        plans = [list(_entries(row, techniques, weightings)) for row in made]
-        jobs = [job for plan in plans for _, _, job in plan]
-        asked = [_openmm_job(case, start) if openmm else None for case, start in made]
-        outcomes, found.openmm_version = run_jobs(
-            [*jobs, *filter(None, asked)], limit_seconds, worker=WORKER
-        )
-        answers = iter(outcomes)
-        for (case, start), plan in zip(made, plans, strict=True):
-            rows = [_row(case, start, m, w, next(answers)) for m, w, _ in plan]
-            found.cases.append(_describe(case, start, rows))
-        for row, (case, start), job in zip(found.cases[-len(made) :], made, asked, strict=True):
-            row.openmm = _their_row(case, start, next(answers)) if job else None
+        plan = [
+            (case, start, row, job)
+            for case, start in ((case, case.make()) for case in batch)
+            for row, job in _entries(case, start, techniques, weightings)
+        ]
+        outcomes, _ = run_jobs([job for *_, job in plan], limit_seconds, worker=WORKER)
+        for (case, start, row, _), outcome in zip(plan, outcomes, strict=True):
+            _fill(case, start, row, outcome)
+            found.rows.append(row)
         done += len(batch)
     return found
 
 
-def _batches(cases: Sequence[Case]) -> Iterator[list[Case]]:
+def _batches(cases: Sequence[Case]) -> Iterator[Sequence[Case]]:
     """Cases that share a child process; large ones are alone, for their arrays are."""
-    together: list[Case] = []
-    for case in cases:
-        if case.group == "large":
-            yield [case]
-        else:
-            together.append(case)
-        if len(together) == MOST_TOGETHER:
-            yield together
-            together = []
-    if together:
-        yield together
+    large = [case for case in cases if case.group == "large"]
+    others = [case for case in cases if case.group != "large"]
+    yield from (others[k : k + MOST_TOGETHER] for k in range(0, len(others), MOST_TOGETHER))
+    yield from ([case] for case in large)
 
 
 def _entries(
-    made: tuple[Case, Broken], techniques: Sequence[str], weightings: Sequence[float]
-) -> Iterator[tuple[str, float | None, Job]]:
-    case, start = made
+    case: Case, start: Broken, techniques: Sequence[str], weightings: Sequence[float]
+) -> Iterator[tuple[Row, Job]]:
     forest = _is_forest(start)
     arrays = asdict(start)
-    for row in pliant.techniques():
-        if (techniques and row.name not in techniques) or (row.forests_only and not forest):
+    for entry in pliant.techniques():
+        if (techniques and entry.name not in techniques) or (entry.forests_only and not forest):
             continue
-        for weighting in weightings if row.has_weighting else (None,):
+        for weighting in weightings if entry.has_weighting else (None,):
             values: dict[str, float | int | str] = {
-                "technique": row.name,
+                "technique": entry.name,
                 "weighting": 0.5 if weighting is None else weighting,
                 "tolerance": case.tolerance,
                 "max_sweeps": case.max_sweeps,
                 "steps": case.steps,
                 "mass_weighted": case.mass_weighted,
             }
-            yield row.name, weighting, Job("run" if case.steps else "resolve", values, arrays)
+            row = Row(case.name, len(start.bars), case.steps, entry.name, weighting, "")
+            yield row, Job("run" if case.steps else "resolve", values, arrays)
 
 
 def _is_forest(start: Broken) -> bool:
     try:
-        return _framework(start).graph_facts().is_forest
+        bars, joints = start.bars.astype(np.uint32), len(start.positions)
+        return pliant.Framework(bars, start.rest_lengths, joints).graph_facts().is_forest
     except pliant.Error:
         return False
 
 
-def _framework(start: Broken) -> pliant.Framework:
-    return pliant.Framework(start.bars.astype(np.uint32), start.rest_lengths, len(start.positions))
-
-
-def _openmm_job(case: Case, start: Broken) -> Job | None:
-    if case.steps or len(start.bars) > MOST_BARS_WITH_ANGLES or len(start.bars) == 0:
-        return None
-    masses = start.masses.copy()
-    masses[start.pinned] = 0.0  # so does OpenMM keep an atom in its place
-    arrays = {
-        "masses": masses,
-        "bars": start.bars,
-        "rest_lengths": start.rest_lengths * NM,
-        "broken": start.positions[None, None] * NM,
-    }
-    values: dict[str, float | str] = {"platform": "Reference", "tolerance": case.tolerance}
-    values |= {"repeats": 1, "budget_seconds": 10.0}
-    return Job("apply_constraints", values, arrays)
-
-
-def _row(
-    case: Case, start: Broken, method: str, weighting: float | None, outcome: Outcome
-) -> StressRow:
-    row = StressRow(method, weighting, outcome.event, note=outcome.message)
+def _fill(case: Case, start: Broken, row: Row, outcome: Outcome) -> None:
+    """What came of it, and whether that may be."""
+    row.outcome, row.note = outcome.event, outcome.message
     if outcome.event == "raised":
         row.outcome = REFUSED
     elif outcome.event == "died":
         row.violation = f"the process died: {outcome.message}"
     elif outcome.done:
         _judge(case, start, row, outcome.arrays)
-    return row
 
 
-def _judge(case: Case, start: Broken, row: StressRow, said: dict[str, np.ndarray]) -> None:
+def _judge(case: Case, start: Broken, row: Row, said: dict[str, np.ndarray]) -> None:
     x = said["positions"]
     sweeps, claimed, unconverged, row.seconds = said["numbers"].tolist()
     row.outcome, row.sweeps, row.unconverged = str(said["stop"]), int(sweeps), int(unconverged)
@@ -211,7 +195,7 @@ def _judge(case: Case, start: Broken, row: StressRow, said: dict[str, np.ndarray
         row.max_residual = max(row.max_residual, claimed)
 
 
-def _violation(case: Case, start: Broken, row: StressRow, x: np.ndarray, claimed: float) -> str:
+def _violation(case: Case, start: Broken, row: Row, x: np.ndarray, claimed: float) -> str:
     # What two ways to measure the same length may differ by, relative to a rest length.
     rounding = 1e-12 * (1.0 + row.max_residual)
     if row.outcome == "not_finite":
@@ -241,44 +225,42 @@ def worst(start: Broken, x: np.ndarray) -> tuple[float, str]:
     return float(residual[bar]), f"{a} - {b}"
 
 
-def _describe(case: Case, start: Broken, rows: list[StressRow]) -> StressCase:
-    found = StressCase(
-        case.name,
-        case.group,
-        case.source,
-        len(start.positions),
-        len(start.bars),
-        case.tolerance,
-        case.steps,
-        case.feasible,
-        rows=rows,
-    )
-    short = [row for row in rows if row.outcome == "max_sweeps"]
-    if not short or case.steps or not 0 < len(start.bars) <= MOST_BARS:
-        return found
-    x = least_squares_floor(start)
-    if x is None:
-        return found
-    residual = _bars.relative_residuals(x, start.bars, start.rest_lengths)
-    found.floor = float(np.sqrt(np.mean(residual**2)))
-    found.floor_worst_bar = worst(start, x)[1]
-    if case.feasible is False or (case.feasible is None and found.floor > case.tolerance):
-        for row in short:
-            row.outcome = INFEASIBLE
-    return found
+# What follows works in the child process, which runs this file as that of OpenMM's jobs is run.
+
+WORKER = pathlib.Path(__file__)
+OPTIONS: dict[str, Callable[[Any], object]] = {
+    "technique": str, "weighting": float, "tolerance": float, "max_sweeps": int,
+}  # fmt: skip  # some pairs a line
 
 
-def _their_row(case: Case, start: Broken, outcome: Outcome) -> StressRow:
-    row = StressRow("ccma", None, outcome.event, note=outcome.message)
-    if not outcome.done:
-        row.outcome = REFUSED if outcome.event == "raised" else outcome.event
-        return row
-    x = outcome.arrays["positions"][0, 0] / NM
-    row.max_residual, row.worst_bar = worst(start, x)
-    row.seconds = float(outcome.arrays["seconds"][0, 0])
-    if not (np.isfinite(x).all() and math.isfinite(row.max_residual)):
-        row.outcome = "not_finite"
-    else:
-        whole = row.max_residual <= case.tolerance * (1 + 1e-9) + 1e-12
-        row.outcome = CONVERGED if whole else "stopped short, says nothing"
-    return row
+def _asked(job: Mapping[str, Any]) -> tuple[pliant.Framework, np.ndarray, dict[str, Any]]:
+    """Framework, positions and options of a job."""
+    count = len(job["positions"])
+    how = {"masses": job["masses"], "pinned": job["pinned"]}
+    framework = pliant.Framework(job["bars"].astype(np.uint32), job["rest_lengths"], count, **how)
+    options = {name: kind(job[name]) for name, kind in OPTIONS.items()}
+    return framework, job["positions"].copy(), options
+
+
+def resolve(job: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """One repair by one technique; numbers: sweeps, residual, how many not converged, seconds."""
+    framework, x, options = _asked(job)
+    done = pliant.resolve(framework, x, mass_weighted=bool(job["mass_weighted"]), **options)
+    numbers = [done.sweeps, done.max_residual, not done.converged, done.seconds]
+    return {"positions": x, "stop": np.array(done.stop.name), "numbers": np.array(numbers)}
+
+
+def run(job: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Many steps of random pushes; what is left at the end, and what the worst step left."""
+    framework, x, options = _asked(job)
+    steps = int(job["steps"])
+    done = pliant.run(framework, x, steps=steps, every=steps, **options)
+    numbers = [done.sweeps, done.worst_residual, done.unconverged_steps, done.seconds]
+    stop = np.array(CONVERGED if done.converged else "max_sweeps")
+    positions = np.array(done.state.positions)
+    return {"positions": positions, "stop": stop, "numbers": np.array(numbers)}
+
+
+if __name__ == "__main__":
+    kinds = {"resolve": resolve, "run": run}
+    worker.main(pathlib.Path(sys.argv[1]), int(sys.argv[2]), kinds)

@@ -3,31 +3,27 @@
 
 from __future__ import annotations
 
-import math
 import os
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
 
 import numpy as np
 
 import pliant
-from pliant.base import console
-from pliant.lab.bench.contenders import Theirs, their_contenders
 from pliant.lab.bench.target import Target, read_target
+from pliant.lab.results import Cell, Results, print_table, text_of
 
 CONFORMERS, REPEATS, THREADS = 200, 5, (1, 2)
 TECHNIQUES = ("blocks", "bfs_cycle", "shake", "newton")
 WARM_UP = 16  #: conformers repaired by each thread of a round before its clock starts
-OPENMM_CONFORMERS = 20  #: of each round; their time does not depend on how many there are
 
 
 @dataclass
-class Throughput:
-    """All techniques on all numbers of threads, and OpenMM's CCMA on one."""
+class Throughput(Results):
+    """All techniques on all numbers of threads."""
 
     input: str
     joints: int
@@ -36,10 +32,9 @@ class Throughput:
     cores: int
     lane_levels: list[str]  #: instructions that this processor has for lanes, the best first
     rows: list[ThroughputRow] = field(default_factory=list)
-    openmm: list[OpenmmRow] = field(default_factory=list)
-    about_openmm: str = ""  #: why OpenMM takes no part, or what it was not given
 
-    def wrong(self) -> list[str]:
+    @property
+    def faults(self) -> list[str]:
         """What is not as it must be: conformers not whole, or with other bits than alone."""
         return [
             f"{row.technique} {row.lanes or 'one by one'}, {row.threads} threads: {row.whole} of "
@@ -48,18 +43,15 @@ class Throughput:
             if row.whole < row.conformers or not row.same_bits
         ]
 
-    def as_json(self) -> dict[str, Any]:
-        """All of it as one JSON object."""
-        return {"pliant": pliant.__version__, **asdict(self)}
-
-
-@dataclass
-class OpenmmRow:
-    """OpenMM's CCMA, one conformer after the other on one thread."""
-
-    method: str  #: "ccma" (applyConstraints) or "ccma_dynamics" (given the intact structure)
-    ns_per_bar: float  #: median over the rounds
-    max_residual: float  #: of the worst conformer, measured anew
+    def print_report(self) -> None:
+        """A line a technique and number of threads, and what is wrong."""
+        print(
+            f"{self.input}: {self.joints} joints, {self.bars} bars, tolerance {self.tolerance:g}; "
+            f"{self.cores} cores"
+        )
+        print_table(self.rows, COLUMNS)
+        for fault in self.faults:
+            print(fault)
 
 
 @dataclass
@@ -76,8 +68,18 @@ class ThroughputRow:
     ns_per_bar: float  #: wall time for one bar of one conformer
     processor_ns_per_bar: float  #: the same in processor time of the threads, added up
     same_bits: bool  #: the conformers are those of one thread without lanes, bit by bit
-    ratio_to_openmm: float = math.nan  #: CCMA's time for a bar over that of this row
-    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA given the intact structure
+
+
+COLUMNS: dict[str, Cell] = {
+    "technique": lambda row: f"{row.technique} {text_of(row.weighting, 'g')}".strip(),
+    "lanes": lambda row: row.lanes or "-",
+    "threads": "threads",
+    "conformers per second": "conformers_per_second:.0f",
+    "ns per bar": "ns_per_bar:.1f",
+    "of processor time": "processor_ns_per_bar:.1f",
+    "whole": lambda row: f"{row.whole} of {row.conformers}",
+    "same bits": lambda row: "yes" if row.same_bits else "no",
+}
 
 
 @dataclass
@@ -105,26 +107,19 @@ def throughput(
     conformers: int = CONFORMERS,
     repeats: int = REPEATS,
     seed: int = 0,
-    openmm: bool = True,
 ) -> Throughput:
-    """Measures all techniques; rounds of all of them and of OpenMM take turns."""
+    """Measures all techniques, in rounds that take turns."""
     target = read_target(path, bars)
     broken = np.stack(
         [target.broken(displacement, seed + k) for k in range(conformers * max(threads))]
     )
     entries = list(_entries(target, techniques, weighting, tolerance, threads, conformers))
-    theirs, about = their_contenders(target) if openmm else ([], "OpenMM was not asked")
-    races = [(who, _OpenmmRace(who, target, tolerance)) for who in theirs]
     for _ in range(repeats + 1):
         for entry in entries:
             np.copyto(entry.result, broken[: conformers * entry.threads])
             entry.times.append(_round(entry.team, entry.result, conformers))
-        for _, race in races:
-            race.run(broken[:OPENMM_CONFORMERS])
     sizes, cores = (len(target.positions), len(target.bars)), os.cpu_count() or 1
     found = Throughput(target.name, *sizes, tolerance, cores, pliant.lane_levels())
-    found.openmm = [race.row() for _, race in races]
-    found.about_openmm = about
     found.rows = [_row(entry, entries, found, target, conformers) for entry in entries]
     return found
 
@@ -148,28 +143,6 @@ def _entries(
                 yield _Entry(name, entry.weighting, count, lanes, team, room)
 
 
-class _OpenmmRace:
-    """Repairs by OpenMM, timed."""
-
-    def __init__(self, who: Theirs, target: Target, tolerance: float) -> None:
-        who.prepare(tolerance)
-        self._who, self._target = who, target
-        self._seconds: list[float] = []
-        self._worst = 0.0
-
-    def run(self, broken: np.ndarray) -> None:
-        """One round."""
-        repairs = [self._who.repair(positions) for positions in broken]
-        self._seconds.append(sum(repair.seconds for repair in repairs) / len(repairs))
-        worst = max(self._target.residual(repair.positions) for repair in repairs)
-        self._worst = max(self._worst, worst)
-
-    def row(self) -> OpenmmRow:
-        """What came of it; the first round does not count."""
-        ns_per_bar = 1e9 * np.median(self._seconds[1:]) / len(self._target.bars)
-        return OpenmmRow(self._who.method, float(ns_per_bar), float(self._worst))
-
-
 def _row(
     entry: _Entry, entries: Sequence[_Entry], found: Throughput, target: Target, conformers: int
 ) -> ThroughputRow:
@@ -187,7 +160,6 @@ def _row(
         ns_per_bar,
         float(1e9 * processor / len(target.bars)),
         np.array_equal(entry.result[:conformers], alone.result[:conformers]),
-        *(row.ns_per_bar / ns_per_bar for row in found.openmm),
     )
 
 
@@ -238,48 +210,3 @@ def _all_at_once(calls: Sequence[Callable[[], None]]) -> None:
     calls[0]()
     for thread in crew:
         thread.join()
-
-
-def print_report(found: Throughput) -> None:
-    """The table for people."""
-    print(
-        f"{found.input}: {found.joints} joints, {found.bars} bars, tolerance {found.tolerance:g}; "
-        f"{found.cores} cores"
-    )
-    columns = [
-        "technique",
-        "lanes",
-        "threads",
-        "conformers per second",
-        "ns per bar",
-        "of processor time",
-        *(f"as fast as {row.method}" for row in found.openmm),
-        "whole",
-        "same bits",
-    ]
-    table = console.Table("", columns)
-    for row in found.rows:
-        name = row.technique if row.weighting is None else f"{row.technique} {row.weighting:g}"
-        ratios = (row.ratio_to_openmm, row.ratio_to_openmm_in_dynamics)
-        table.rows.append(
-            [
-                name,
-                row.lanes or "-",
-                str(row.threads),
-                f"{row.conformers_per_second:.0f}",
-                f"{row.ns_per_bar:.1f}",
-                f"{row.processor_ns_per_bar:.1f}",
-                *(f"{ratio:.1f} times" for ratio in ratios[: len(found.openmm)]),
-                f"{row.whole} of {row.conformers}",
-                "yes" if row.same_bits else "no",
-            ]
-        )
-    table.print()
-    for theirs in found.openmm:
-        print(
-            f"OpenMM {theirs.method}: {theirs.ns_per_bar:.1f} ns per bar, worst residual "
-            f"{theirs.max_residual:.1e}"
-        )
-    for note in [found.about_openmm, *found.wrong()]:
-        if note:
-            print(note)

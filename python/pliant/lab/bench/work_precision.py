@@ -14,7 +14,6 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from pliant.base.extras import need
 from pliant.lab.bench.contenders import Contender, Repair, our_contenders, their_contenders
 from pliant.lab.bench.gromacs_race import race_gromacs
 from pliant.lab.bench.nearest import nearest_whole
@@ -46,25 +45,25 @@ def work_precision(
     repeats: int = REPEATS,
     limit_seconds: float = LIMIT_SECONDS,
     mass_weighted: bool = False,
-    openmm: bool = True,
-    gromacs: bool = True,
+    peers: str = "all",
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> WorkPrecision:
     """Races every technique, OpenMM's CCMA, and GROMACS if installed, on the molecule of a file.
 
-    `techniques` are names in ``pliant.techniques()``, or all. Raises InputError, OptionError or
-    FileError for what the user gave wrong.
+    `techniques` are names in ``pliant.techniques()``, or all; `peers` are "all", "openmm" or
+    "none". Raises InputError, OptionError or FileError for what the user gave wrong.
     """
-    need("pliant lab bench work-precision", "scipy")
     target = read_target(path, bars)
     ours = list(our_contenders(target, techniques, mass_weighted))
-    theirs, note = their_contenders(target) if openmm else ([], "OpenMM was not asked to take part")
+    theirs, note = (
+        their_contenders(target) if peers != "none" else ([], "OpenMM was not asked to take part")
+    )
     found = prepare(target, bars, displacement, seed, tolerances)
     found.notes += [note] if note else []
     race(
         found, [*theirs, *ours], target.broken(displacement, seed), repeats, limit_seconds, progress
     )
-    if gromacs:
+    if peers == "all":
         race_gromacs(found, repeats, progress)
     compare_with_openmm(found.rows)
     return found

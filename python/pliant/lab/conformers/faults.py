@@ -4,15 +4,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
+from rdkit import Chem
+from rdkit.Chem import Mol, rdForceFieldHelpers
 
 from pliant.lab.conformers.symmetric_rmsd import heavy_atoms
-
-if TYPE_CHECKING:
-    from rdkit.Chem import Mol
 
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
@@ -53,8 +51,6 @@ def faults_of(molecule: Mol, frames: Floats) -> Faults:
 
 def _centres(molecule: Mol) -> npt.NDArray[np.int64]:
     """(C, 4) neighbours of the atoms with a handedness; of three the atom itself is the fourth."""
-    from rdkit import Chem
-
     found = []
     for atom in molecule.GetAtoms():
         if atom.GetChiralTag() in (Chem.CHI_TETRAHEDRAL_CW, Chem.CHI_TETRAHEDRAL_CCW):
@@ -65,8 +61,6 @@ def _centres(molecule: Mol) -> npt.NDArray[np.int64]:
 
 def _double_bonds(molecule: Mol) -> npt.NDArray[np.int64]:
     """(B, 4) chains of four atoms about the bonds that are E or Z."""
-    from rdkit import Chem
-
     found = []
     for bond in molecule.GetBonds():
         if bond.GetStereo() > Chem.BondStereo.STEREOANY:
@@ -77,8 +71,6 @@ def _double_bonds(molecule: Mol) -> npt.NDArray[np.int64]:
 
 def _amides(molecule: Mol) -> npt.NDArray[np.int64]:
     """(A, 4) O, C, N, C of secondary amides that no small ring holds."""
-    from rdkit import Chem
-
     pattern = Chem.MolFromSmarts(_AMIDE)
     rings = molecule.GetRingInfo().AtomRings()
     matches = molecule.GetSubstructMatches(pattern)
@@ -105,8 +97,6 @@ def _side_signs(frames: Floats, chains: npt.NDArray[np.int64]) -> Floats:
 
 
 def _has_contact(molecule: Mol, frames: Floats) -> Bools:
-    from rdkit import Chem
-
     heavy = heavy_atoms(molecule)
     apart = Chem.GetDistanceMatrix(molecule)[np.ix_(heavy, heavy)]
     first, second = np.nonzero(np.triu(apart >= BONDS_APART))
@@ -117,9 +107,6 @@ def _has_contact(molecule: Mol, frames: Floats) -> Bools:
 
 def energies(molecule: Mol, frames: Floats) -> tuple[Floats, Floats]:
     """(F,) kcal/mol of MMFF94s as they are, and minimised; empty where it has no parameters."""
-    from rdkit import Chem
-    from rdkit.Chem import rdForceFieldHelpers
-
     if not rdForceFieldHelpers.MMFFHasAllMoleculeParams(molecule):
         return np.zeros(0), np.zeros(0)
     work = Chem.Mol(molecule)

@@ -3,16 +3,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from rdkit import Chem
+from rdkit.Chem import Mol, rdDistGeom, rdForceFieldHelpers
 
 from pliant._core import InputError
 from pliant.jobs.conformers.records import format_of, read_records
-
-if TYPE_CHECKING:
-    from rdkit.Chem import Mol
 
 START_SEED = 7
 _ENDINGS = (".sdf", ".mol", ".sdf.gz", ".mol.gz")
@@ -46,9 +46,6 @@ def start_of(molecule: Mol) -> Mol:
 
     Raises NoStartError where RDKit finds no conformer.
     """
-    from rdkit import Chem
-    from rdkit.Chem import rdDistGeom, rdForceFieldHelpers
-
     made = Chem.Mol(molecule)
     made.RemoveAllConformers()
     # Cages such as C60 need the plain one, without ETKDG's planes.
@@ -65,9 +62,7 @@ def start_of(molecule: Mol) -> Mol:
     return made
 
 
-def read_known(
-    path: Path, ring: int = 0, progress: Callable[[int, int], object] | None = None
-) -> KnownSet:
+def read_known(path: Path, ring: int = 0) -> KnownSet:
     """The records of an SDF or MOL file, or of all in a folder; those with a ring of `ring` on.
 
     Raises InputError where there is no such file, or nothing in it can be used.
@@ -77,12 +72,10 @@ def read_known(
     )
     if not files or not all(file.is_file() for file in files):
         raise InputError(f"{path}: no SDF or MOL file")
-    records = [one for file in files for one in _records(file)]
     found = KnownSet()
-    for number, (place, molecule) in enumerate(records, start=1):
-        add(found, place, molecule, ring)
-        if progress:
-            progress(number, len(records))
+    for file in files:
+        for place, molecule in _records(file):
+            add(found, place, molecule, ring)
     if not found.molecules:
         first = f": {found.skipped[0]}" if found.skipped else ""
         raise InputError(f"{path}: no molecule with a known conformer{first}")
@@ -91,8 +84,6 @@ def read_known(
 
 def add(found: KnownSet, place: str, molecule: Mol | None, ring: int = 0) -> None:
     """Adds a molecule, or says why not; one without a ring of `ring` members is left out."""
-    from rdkit import Chem
-
     if molecule is not None and largest_ring(molecule) < ring:
         return
     fault = _fault(molecule)
@@ -116,8 +107,6 @@ def largest_ring(molecule: Mol) -> int:
 
 def _fault(molecule: Mol | None) -> str:
     """Why a molecule cannot be used, or nothing."""
-    from rdkit import Chem
-
     if molecule is None:
         return "RDKit cannot read it"
     if not molecule.GetNumConformers() or not molecule.GetConformer().Is3D():
@@ -131,8 +120,6 @@ def _fault(molecule: Mol | None) -> str:
 
 def _records(path: Path) -> Iterator[tuple[str, Mol | None]]:
     """All records with their places, "FILE, record N"."""
-    from rdkit import Chem
-
     for record in read_records(path):
         place = "" if format_of(path) == ".mol" else f", record {record.number}"
         text = record.text.encode(errors="replace").decode()

@@ -10,18 +10,20 @@ from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
+from rdkit import rdBase
+from rdkit.Chem import MolToMolBlock
 
 from pliant.checks.openmm.child import Job, Outcome, run_jobs
 from pliant.lab.conformers.contenders import CONTENDERS, Contender
+from pliant.lab.conformers.crystal_ligands import crystal_ligands
 from pliant.lab.conformers.faults import energies, faults_of
-from pliant.lab.conformers.known import Known, KnownSet
-from pliant.lab.conformers.rows import Made
-from pliant.lab.conformers.summary import Run
+from pliant.lab.conformers.known import Known, KnownSet, read_known
+from pliant.lab.conformers.rows import Made, Run, Table
+from pliant.lab.conformers.summary import summarise
 from pliant.lab.conformers.symmetric_rmsd import nearest_rmsd, symmetry_maps
+from pliant.lab.options import chosen
 
-Progress = Callable[[int, int], object]
-
-WORKER = Path(__file__).with_name("conformer_worker.py")
+WORKER = Path(__file__).with_name("contenders.py")
 COUNTS = (50, 250, 1000)
 LIMIT = 120.0  #: CPU seconds for a molecule
 _WALL = 10  #: times as long by the clock, for what waits without computing
@@ -40,6 +42,29 @@ class Subject:
         return nearest_rmsd(self.known.molecule.GetConformer().GetPositions(), frames, self.maps)
 
 
+def conformers(
+    data: str | None = None,
+    ring: int = 0,
+    only: Sequence[str] = (),
+    counts: Sequence[int] = COUNTS,
+    no_strain: bool = False,
+    progress: Callable[[int, int], object] = lambda *_: None,
+) -> Table:
+    """The table of molecules of a file or folder (`data`), else of ligands in crystals.
+
+    Raises OptionError for a contender that there is not, InputError as `read_known` does.
+    """
+    asked = chosen(CONTENDERS, only)
+    with rdBase.BlockLogs():
+        found = read_known(Path(data), ring) if data else crystal_ligands(ring)
+        able = [one for one in asked if one.is_installed]
+        runs = run_all(found, able, counts, strain=not no_strain, progress=progress)
+    table = Table(len(found.molecules), skipped=found.skipped)
+    table.left_out = [one.how_to_install for one in asked if not one.is_installed]
+    summarise(table, runs)
+    return table
+
+
 def run_all(
     found: KnownSet,
     contenders: Sequence[Contender] = CONTENDERS,
@@ -47,7 +72,7 @@ def run_all(
     *,
     limit: float = LIMIT,
     strain: bool = True,
-    progress: Progress | None = None,
+    progress: Callable[[int, int], object] = lambda *_: None,
 ) -> list[Run]:
     """A row for each contender, each of the counts that is not more than it makes, each molecule.
 
@@ -58,8 +83,8 @@ def run_all(
     tasks = [(one, asked) for one in contenders for asked in _runs_of(one, counts)]
     runs: list[Run] = []
     for number, (contender, asked) in enumerate(tasks):
-        shown = _shown(progress, number, len(tasks))
-        outcomes = _made_by(contender, asked, subjects, limit, shown)
+        progress(number, len(tasks))
+        outcomes = _made_by(contender, asked, subjects, limit)
         rows = [n for n in counts if n <= asked] if contender.is_prefix else [asked]
         for count in rows:
             runs += [_run(contender, count, *pair) for pair in zip(subjects, outcomes, strict=True)]
@@ -72,32 +97,13 @@ def _runs_of(contender: Contender, counts: Sequence[int]) -> list[int]:
     return [count for count in counts if count <= contender.most]
 
 
-def _shown(progress: Progress | None, task: int, tasks: int) -> Callable[[int, int], None]:
-    def show(done: int, count: int) -> None:
-        if progress:
-            progress(task * count + done, tasks * count)
-
-    return show
-
-
 def _made_by(
-    contender: Contender,
-    asked: int,
-    subjects: Sequence[Subject],
-    limit: float,
-    progress: Callable[[int, int], None],
+    contender: Contender, asked: int, subjects: Sequence[Subject], limit: float
 ) -> list[Outcome]:
-    from rdkit.Chem import MolToMolBlock
-
-    jobs = [
-        Job(
-            contender.name,
-            {"block": MolToMolBlock(one.known.start), "count": asked, "limit": limit},
-            {},
-        )
-        for one in subjects
-    ]
-    return run_jobs(jobs, _WALL * limit, progress, WORKER)[0]
+    blocks = [MolToMolBlock(one.known.start) for one in subjects]
+    wanted = {"count": asked, "limit": limit}
+    jobs = [Job(contender.name, {"block": block, **wanted}, {}) for block in blocks]
+    return run_jobs(jobs, _WALL * limit, worker=WORKER)[0]
 
 
 def _run(contender: Contender, count: int, subject: Subject, outcome: Outcome) -> Run:

@@ -12,7 +12,8 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from pliant._core import InputError
 from pliant.base.plotting import PALETTE, figure, save
-from pliant.lab.conformers.summary import Column, Run, columns_of
+from pliant.lab.conformers.rows import Run, Table
+from pliant.lab.conformers.summary import Column, columns_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,8 +22,9 @@ _STYLES = ("-", "--", ":", "-.")
 _FURTHEST = 3.0  #: Angstrom
 
 
-def draw(runs: Sequence[Run], path: str | os.PathLike[str]) -> None:
+def draw(found: Table, path: str | os.PathLike[str]) -> None:
     """Writes a PNG. Raises InputError where nothing was made."""
+    runs = found.runs
     columns = [c for c in columns_of(runs) if np.isfinite(c.nearest).any()]
     if not columns:
         raise InputError("--output: no conformer was made")

@@ -3,8 +3,15 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+from pliant.lab.results import Cell, Results, print_table
+
+Floats = npt.NDArray[np.float64]
 
 WITHIN = (0.5, 0.75, 1.0, 2.0)  #: Angstrom
 
@@ -27,6 +34,15 @@ class Made:
     contacts: int = 0  #: with heavy atoms too near, four or more bonds apart
     strain: float | None = None  #: median of some above the lowest minimum (kcal/mol)
     failure: str = ""
+
+
+@dataclass(frozen=True)
+class Run:
+    """What one contender made of one molecule, in the order in which it came."""
+
+    row: Made
+    distances: Floats = field(default_factory=lambda: np.zeros(0))  #: (F,) Angstrom
+    frames: Floats = field(default_factory=lambda: np.zeros((0, 0, 3)))  #: (F, N, 3) Angstrom
 
 
 @dataclass(frozen=True)
@@ -73,18 +89,77 @@ class Difference:
     within_error: float
 
 
+def _shares_text(shares: Sequence[float]) -> str:
+    return " ".join(f"{share:.2f}" for share in shares)
+
+
+SHARES: dict[str, Cell] = {
+    "at": "at",
+    "contender": "contender",
+    "made": "made:.0f",
+    " ".join(f"{limit:g}" for limit in WITHIN) + " A": lambda row: _shares_text(row.within),
+    "nearest, A": "nearest:.3f",
+    "+-": "error:.3f",
+    "CPU, s": "seconds:.3f",
+    "start": "start_seconds:.3f",
+    "failed": lambda row: row.failed or None,
+}
+DIFFERENCES: dict[str, Cell] = {
+    "at": "at",
+    "ours less": "other",
+    "molecules": "molecules",
+    "nearest, A": "nearest:+.3f",
+    "+-": "error:.3f",
+    "within 1 A": "within:+.3f",
+    " +-": "within_error:.3f",
+}
+FAULTS: dict[str, Cell] = {
+    "contender": "contender",
+    "asked": "asked",
+    "conformers": "conformers",
+    "handed": "handedness",
+    "E/Z": "double_bonds",
+    "amides": "amides",
+    "contacts": "contacts:.3f",
+    "strain": "strain:.1f",
+}
+
+
 @dataclass
-class Table:
+class Table(Results):
     """The whole table."""
 
     molecules: int
-    made: list[Made] = field(default_factory=list)
+    rows: list[Made] = field(default_factory=list)
     shares: list[Share] = field(default_factory=list)
     differences: list[Difference] = field(default_factory=list)
-    faults: list[Fault] = field(default_factory=list)
+    flaws: list[Fault] = field(default_factory=list)
     skipped: list[str] = field(default_factory=list)  #: records that could not be used, why
     left_out: list[str] = field(default_factory=list)  #: contenders that are not installed
+    within: tuple[float, ...] = WITHIN  #: Angstrom, of the shares
 
-    def as_json(self) -> dict[str, Any]:
-        """For --json."""
-        return {"within": WITHIN, **asdict(self)}
+    def __post_init__(self) -> None:
+        self.runs: list[Run] = []  #: of which rows are made, for the picture
+
+    def print_report(self) -> None:
+        """Shares, differences, faults; then what failed or could not be measured."""
+        print(
+            f"{self.molecules} molecules with a known conformer, each made anew from its graph; "
+            "share\nwith a conformer as near as that to the known one (RMSD of heavy atoms, least "
+            "over\nsymmetry), mean of the nearest, and CPU time a molecule (user); start: of that, "
+            "RDKit's\nfor the conformer that ours begin from"
+        )
+        print_table(self.shares, SHARES)
+        print("ours less the others', paired by molecule; +- standard errors")
+        print_table(self.differences, DIFFERENCES)
+        print(
+            "conformers in which handedness, E/Z or a secondary amide changed; share with heavy "
+            "atoms\nnearer than 2.6 A, four or more bonds apart; strain: median above the lowest "
+            "minimum\n(MMFF94s, as they come, kcal/mol)"
+        )
+        print_table(self.flaws, FAULTS)
+        for row in self.rows:
+            if row.failure:
+                print(f"failed: {row.molecule}, {row.contender} {row.asked}: {row.failure}")
+        for line in (*(f"not measured: {one}" for one in self.skipped), *self.left_out):
+            print(line)

@@ -4,27 +4,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
-from pliant.lab.conformers.rows import WITHIN, Difference, Fault, Made, Share, Table
+from pliant.lab.conformers.rows import WITHIN, Difference, Fault, Run, Share, Table
 
 Floats = npt.NDArray[np.float64]
 
 OURS = "Pliant"
 _ROUNDING = 1e-9  #: of means that should be equal
 JUDGED = 1.0  #: Angstrom, of the share in differences
-
-
-@dataclass(frozen=True)
-class Run:
-    """What one contender made of one molecule, in the order in which it came."""
-
-    row: Made
-    distances: Floats = field(default_factory=lambda: np.zeros(0))  #: (F,) Angstrom
-    frames: Floats = field(default_factory=lambda: np.zeros((0, 0, 3)))  #: (F, N, 3) Angstrom
 
 
 @dataclass(frozen=True)
@@ -42,14 +33,15 @@ class Column:
 
 def summarise(table: Table, runs: Sequence[Run]) -> None:
     """Fills the table from what was made."""
-    table.made = [run.row for run in runs]
+    table.runs = list(runs)
+    table.rows = [run.row for run in runs]
     columns = columns_of(runs)
     columns += at_equal_time(runs, columns)
     table.shares = [_share(column) for column in columns]
     ours = {column.at: column for column in columns if column.contender == OURS}
     others = [column for column in columns if column.contender != OURS and column.at in ours]
     table.differences = [difference(ours[other.at], other) for other in others]
-    table.faults = [_fault(rows) for rows in _grouped(runs).values()]
+    table.flaws = [_fault(rows) for rows in _grouped(runs).values()]
 
 
 def columns_of(runs: Sequence[Run]) -> list[Column]:

@@ -8,13 +8,10 @@ which differ only in how their bonds are drawn.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 import numpy.typing as npt
-
-if TYPE_CHECKING:
-    from rdkit.Chem import Mol
+from rdkit import Chem
+from rdkit.Chem import Mol
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -33,8 +30,6 @@ def heavy_atoms(molecule: Mol) -> Ints:
 
 def symmetry_maps(molecule: Mol, limit: int = MAX_MAPS) -> Ints:
     """(M, H) atoms of the molecule, in each row in the order of one way to lay it onto itself."""
-    from rdkit import Chem
-
     heavy = heavy_atoms(molecule)
     plain = Chem.RWMol(molecule)
     for k in reversed(range(molecule.GetNumAtoms())):
@@ -47,8 +42,6 @@ def symmetry_maps(molecule: Mol, limit: int = MAX_MAPS) -> Ints:
 
 def _make_ends_alike(molecule: Mol) -> None:
     """Terminal N, O and S of one kind on one atom, one of them doubly bonded, get equal bonds."""
-    from rdkit import Chem
-
     for centre in molecule.GetAtoms():
         ends = [
             bond

@@ -15,7 +15,7 @@ import numpy as np
 from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.compare import ALIKE, BY_FAR, EXTREMELY, Court
 from pliant.lab.experiment.settings import reverse_techniques
-from pliant.lab.experiment.statistics import Evidence, with_interval
+from pliant.lab.experiment.statistics import YARDSTICKS, Evidence, shown
 from pliant.lab.experiment.verdict import Statement, Verdict, verdict_of
 
 RAGDOLL = ("random", 0.5)
@@ -102,7 +102,7 @@ def _t4(court: Court) -> None:
     of_weighting, of_ordering = np.std(means.mean(0), axis=0), np.std(means.mean(1), axis=0)
     court.add(
         "spread of the mean over weightings above that over orderings",
-        f"{with_interval(of_weighting)} and {with_interval(of_ordering)}",
+        f"{shown(of_weighting)} and {shown(of_ordering)}",
         of_weighting > of_ordering,
         ("bfs_tree", 1.0),
     )
@@ -264,4 +264,4 @@ def claim(identity: str) -> Claim:
 
 def evidence_by_yardstick(evidence: Evidence) -> dict[str, Evidence]:
     """The same table by every yardstick."""
-    return {name: evidence.with_yardstick(name) for name in ("sweeps", "passes", "projections")}
+    return {name: evidence.with_yardstick(name) for name in YARDSTICKS}

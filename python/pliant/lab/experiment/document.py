@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from html import escape
 from importlib import resources
 from pathlib import Path
 
 import pliant
-from pliant.lab.experiment.answer import Answer, Figure, Table
 
 EXTRA_STYLE = """
 h3 { font-size: 1.02rem; font-weight: 650; margin: 0 0 8px; }
@@ -28,6 +28,46 @@ h3 { font-size: 1.02rem; font-weight: 650; margin: 0 0 8px; }
 .wide { grid-template-columns: minmax(0, 1fr); }
 nav { margin-top: 14px; display: flex; flex-wrap: wrap; gap: 6px 16px; font-size: 0.9rem; }
 """
+
+
+@dataclass
+class Table:
+    """Rows under a caption; each row has as many cells as the header."""
+
+    caption: str
+    header: list[str]
+    rows: list[list[str | int | float]] = field(default_factory=list)
+
+
+@dataclass
+class Figure:
+    """A picture file (PNG or SVG) and the sentence or two that say what it shows."""
+
+    path: Path
+    caption: str
+
+
+@dataclass
+class Answer:
+    """One question answered with data.
+
+    The modules of ``pliant.lab.experiment.questions`` each have ``TITLE: str`` and ``answer(out:
+    Path, seed: int, quick: bool) -> Answer``; `out` is an empty or earlier filled folder that is
+    theirs alone, `quick` asks for small sizes.
+    """
+
+    title: str
+    verdict: str  #: one or two sentences
+    paragraphs: list[str] = field(default_factory=list)
+    tables: list[Table] = field(default_factory=list)
+    figures: list[Figure] = field(default_factory=list)
+
+
+def as_text(tables: list[Table]) -> list[Table]:
+    """Every cell as words, so that columns of figures and of intervals stand alike."""
+    for table in tables:
+        table.rows = [[str(cell) for cell in row] for row in table.rows]
+    return tables
 
 
 def page(title: str, subtitle: str, sections: Sequence[tuple[str, str]]) -> str:

@@ -13,24 +13,22 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from pliant.base.png import save_png
+from pliant.base import plotting
 from pliant.checks.weightings import WEIGHTINGS
-from pliant.lab.experiment.answer import Figure
+from pliant.lab.experiment.document import Figure
 from pliant.lab.experiment.settings import reverse_techniques
 from pliant.lab.experiment.statistics import Evidence, Statistics, interval
-from pliant.report.figures import style
 
-DPI = 130
 LAST_BIN = 20  #: histograms gather what is above
 # Distinct by hue for most, by lightness for all (Okabe and Ito 2008), and by hatching in print.
 LOOKS = (
-    (style.GREY, ""),
-    (style.BLUE, ""),
-    (style.SKY, "///"),
-    (style.VERMILION, ""),
-    (style.ORANGE, "///"),
+    (plotting.GREY, ""),
+    (plotting.BLUE, ""),
+    (plotting.SKY, "///"),
+    (plotting.VERMILION, ""),
+    (plotting.ORANGE, "///"),
 )
-SHADES = {0.5: style.BLUE, 0.75: style.ORANGE, 1.0: style.VERMILION}
+SHADES = {0.5: plotting.BLUE, 0.75: plotting.ORANGE, 1.0: plotting.VERMILION}
 
 
 @dataclass(frozen=True)
@@ -88,10 +86,7 @@ def draw_bars(chart: BarChart, all_evidence: dict[str, Evidence], folder: Path) 
         return None
     reverse = bool(set(techniques) & reverse_techniques())
     yardsticks = ("sweeps", "passes") if reverse else ("sweeps",)
-    with style.styled():
-        figure, axes = style.new_figure(
-            (9.2, 0.7 + 2.45 * len(yardsticks)), len(yardsticks), 3, squeeze=False
-        )
+    with plotting.figure(len(yardsticks), 3, panel=(3.1, 2.7)) as (figure, axes):
         for row, yardstick in zip(axes, yardsticks, strict=True):
             for axis, (what, words) in zip(row, _MEASURES, strict=True):
                 group_bars(axis, all_evidence[yardstick], chart.family, techniques, what)
@@ -101,7 +96,7 @@ def draw_bars(chart: BarChart, all_evidence: dict[str, Evidence], folder: Path) 
         handles, labels = axes[0][0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
         path = folder / f"figure-{chart.number}.png"
-        save_png(figure, path, DPI)
+        plotting.save(figure, path)
     return Figure(path, _bar_caption(chart, reverse))
 
 
@@ -133,7 +128,7 @@ def group_bars(
             heights.append(values[0])
             errors.append((max(values[0] - low, 0.0), max(high - values[0], 0.0)))
         edge: dict[str, Any] = {"hatch": hatch, "edgecolor": "white", "linewidth": 0.4}
-        edge["error_kw"] = {"ecolor": style.INK, "elinewidth": 0.8, "capsize": 1.6}
+        edge["error_kw"] = {"ecolor": "black", "elinewidth": 0.8, "capsize": 1.6}
         axis.bar(
             places,
             heights,
@@ -162,16 +157,17 @@ def draw_histogram(chart: Histogram, evidence: Evidence, folder: Path) -> Figure
     found = {w: evidence.of(chart.family, chart.technique, w) for w in WEIGHTINGS}
     if all(statistics is None for statistics in found.values()):
         return None
-    with style.styled():
-        figure, axes = style.new_figure((9.2, 2.5), 1, 3, sharey=True)
-        for axis, (weighting, statistics) in zip(axes, found.items(), strict=True):
+    with plotting.figure(1, 3, panel=(3.1, 2.5)) as (figure, axes):
+        for axis in axes[0][1:]:
+            axis.sharey(axes[0][0])
+        for axis, (weighting, statistics) in zip(axes[0], found.items(), strict=True):
             axis.set_title(f"{chart.technique} {weighting:g}")
             axis.set_xlabel("sweeps")
             if statistics is not None:
                 _columns(axis, statistics, SHADES[weighting])
-        axes[0].set_ylabel("share of pushes (%)")
+        axes[0][0].set_ylabel("share of pushes (%)")
         path = folder / f"figure-{chart.number}.png"
-        save_png(figure, path, DPI)
+        plotting.save(figure, path)
     return Figure(
         path,
         f"Figure {chart.number} of the thesis: sweeps of {chart.technique} on "

@@ -11,13 +11,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.image import AxesImage
 
-from pliant.base.png import save_png
-from pliant.lab.experiment.answer import Figure
+from pliant.base import plotting
 from pliant.lab.experiment.claims import CLAIMS, Claim
-from pliant.lab.experiment.drawings import DPI
+from pliant.lab.experiment.document import Figure
 from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.sweep import BOXES, FORCES, SIZES, TOLERANCES, Point
-from pliant.report.figures import style
 
 WORDS = {"sweeps": "sweeps", "passes": "passes", "projections": "work"}
 
@@ -73,8 +71,7 @@ def shares(
 def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path) -> Figure:
     """Tolerance across; what else was varied up; one row of panels a yardstick."""
     rows = claim.yardsticks
-    with style.styled():
-        figure, axes = style.new_figure((11.6, 0.7 + 2.35 * len(rows)), len(rows), 5, squeeze=False)
+    with plotting.figure(len(rows), 5, panel=(2.3, 2.5)) as (figure, axes):
         for panels, yardstick in zip(axes, rows, strict=True):
             mine = [p for p in points if (p.claim, p.yardstick) == (claim.id, yardstick)]
             for axis, (label, values, texts, value_of) in zip(
@@ -87,7 +84,7 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
         bar = figure.colorbar(image, ax=axes, shrink=0.8, pad=0.01, ticks=(0, 0.5, 1))
         bar.set_label("share of its statements that hold")
         path = folder / f"claim-{claim.id}.png"
-        save_png(figure, path, DPI)
+        plotting.save(figure, path)
     return Figure(
         path, f"{claim.id}: {claim.text}. A dot: every statement holds; empty: no push broke a bar."
     )
@@ -95,9 +92,9 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
 
 def _draw_grid(axis: Axes, grid: np.ndarray, texts: list[str]) -> AxesImage:
     shown = np.ma.masked_less(grid, 0.0)
-    image = axis.imshow(shown, cmap=style.MAP, vmin=0.0, vmax=1.0, aspect="auto", origin="lower")
+    image = axis.imshow(shown, cmap="cividis", vmin=0.0, vmax=1.0, aspect="auto", origin="lower")
     for row, column in np.argwhere(grid == 1.0):
-        axis.plot(column, row, "o", color=style.INK, markersize=4)
+        axis.plot(column, row, "o", color="black", markersize=4)
     exponents = [f"{np.log10(tolerance):.0f}" for tolerance in TOLERANCES]
     axis.set_xticks(range(len(TOLERANCES)), exponents)
     axis.set_yticks(range(len(texts)), texts)

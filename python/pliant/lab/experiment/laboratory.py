@@ -12,9 +12,9 @@ import numpy as np
 from pliant import FileError, OptionError
 from pliant.base.new_file import new_file, write_text
 from pliant.lab.experiment import table as tables
-from pliant.lab.experiment.pool import each_done
 from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.subject import ROW, Subject, make_subject, measure_subject
+from pliant.lab.pool import each_done
 
 SETTINGS = "settings.json"
 PARTS = "parts"  #: folder of what is done of an experiment that is not finished

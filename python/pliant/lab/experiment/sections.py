@@ -10,14 +10,13 @@ from typing import Any
 import numpy as np
 
 from pliant.lab.experiment import document
-from pliant.lab.experiment.answer import Figure, Table
 from pliant.lab.experiment.contradictions import CONTRADICTIONS
+from pliant.lab.experiment.document import Figure, Table
 from pliant.lab.experiment.heat_maps import WORDS
 from pliant.lab.experiment.settled import NEARLY_ALL, Settled, settings_text
-from pliant.lab.experiment.statistics import REPLICATES
+from pliant.lab.experiment.statistics import REPLICATES, between
 from pliant.lab.experiment.sweep import GRAPHS, PUSHES, SWEEP_CSV, THESIS_FAMILIES, Point
 from pliant.lab.experiment.table import Table as Rows
-from pliant.lab.experiment.trials import between
 from pliant.lab.experiment.verdict import CONFIDENCE, FAILS, HOLDS, OPEN, Verdict
 
 

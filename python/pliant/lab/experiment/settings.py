@@ -136,6 +136,13 @@ def families() -> dict[str, str]:
     return {row.name: row.family for row in pliant.graph_classes()}
 
 
+def label(combination: Combination) -> str:
+    """As a reader writes it: "bfs_cycle 0.5", or the bare name of a technique without weighting."""
+    name, weighting = combination
+    weighted = any(row.name == name and row.has_weighting for row in pliant.techniques())
+    return f"{name} {weighting:g}" if weighted else name
+
+
 def reverse_techniques() -> frozenset[str]:
     """Techniques that sweep there and back: a pass of theirs is two sweeps."""
     return frozenset(row.name for row in pliant.orderings() if row.repeat == pliant.Repeat.reverse)

@@ -4,15 +4,14 @@ installed packages bring along (OpenMM, MDAnalysisTests)."""
 
 from __future__ import annotations
 
-import importlib.util
-import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 import pliant
+from pliant.lab.sources import MDANALYSIS, OPENMM, Files, Source
+from pliant.lab.structures import read_quietly
 
 #: chains, rings, fused rings, cages, macrocycles, drugs, natural products
 SMILES = {
@@ -53,34 +52,31 @@ SMILES = {
     "dodecahedrane": "C12C3C4C5C1C6C7C2C8C3C9C4C1C5C6C2C7C8C9C12",
 }  # fmt: skip  # some pairs a line
 
-#: package -> its files with proteins and peptides
-FILES = {
-    "openmm": {"openmm/app/data/test.pdb": "villin headpiece"},
-    "MDAnalysisTests": {
-        "MDAnalysisTests/data/A6PA6_alpha.pdb": "peptide A6PA6",
-        "MDAnalysisTests/data/nmr_neopetrosiamide.pdb": "neopetrosiamide A (2JUY)",
-        "MDAnalysisTests/data/1hvr.pdb": "HIV-1 protease (1HVR)",
-        "MDAnalysisTests/data/adk_open.pdb": "adenylate kinase (4AKE)",
-        "MDAnalysisTests/data/4E43.pdb": "HIV-1 protease (4E43)",
-        "MDAnalysisTests/data/1a28.pdb.gz": "progesterone receptor (1A28)",
-        "MDAnalysisTests/data/19hc.pdb.gz": "nine-haem cytochrome c (19HC)",
-        "MDAnalysisTests/data/1osm.pdb.gz": "osmoporin (1OSM, in part)",
-    },
+#: Proteins and peptides.
+PROTEINS = {
+    Source("test.pdb", OPENMM): "villin headpiece",
+    Source("A6PA6_alpha.pdb", MDANALYSIS): "peptide A6PA6",
+    Source("nmr_neopetrosiamide.pdb", MDANALYSIS): "neopetrosiamide A (2JUY)",
+    Source("1hvr.pdb", MDANALYSIS): "HIV-1 protease (1HVR)",
+    Source("adk_open.pdb", MDANALYSIS): "adenylate kinase (4AKE)",
+    Source("4E43.pdb", MDANALYSIS): "HIV-1 protease (4E43)",
+    Source("1a28.pdb.gz", MDANALYSIS): "progesterone receptor (1A28)",
+    Source("19hc.pdb.gz", MDANALYSIS): "nine-haem cytochrome c (19HC)",
+    Source("1osm.pdb.gz", MDANALYSIS): "osmoporin (1OSM, in part)",
 }
 LEAST_ATOMS = 10  #: of what is kept of a protein file: no water, ions, small additives
 
 
 @dataclass(frozen=True)
 class Specimen:
-    """A molecule, without water around it."""
+    """A molecule, without water around it, with a bar for each bond."""
 
     name: str
-    kind: str  #: "molecule" or "protein"
     framework: pliant.Framework
     positions: np.ndarray  #: (N, 3) Angstrom
 
 
-def rdkit_molecules(names: list[str], bars: str = "bonds") -> Iterator[Specimen]:
+def rdkit_molecules(names: list[str]) -> Iterator[Specimen]:
     """Those of SMILES, with hydrogens, at positions by RDKit's ETKDG; raises ImportError.
 
     Riniker and Landrum, J. Chem. Inf. Model. 55 (2015) 2562. Molecules that it cannot embed are
@@ -91,45 +87,29 @@ def rdkit_molecules(names: list[str], bars: str = "bonds") -> Iterator[Specimen]
 
     for name in names:
         molecule = Chem.AddHs(Chem.MolFromSmiles(SMILES[name]))
-        if EmbedMolecule(molecule, randomSeed=7) != 0:
-            continue
-        structure = pliant.from_rdkit(molecule)
-        yield Specimen(
-            name,
-            "molecule",
-            structure.framework(bars, use_masses=False),
-            np.array(structure.positions),
-        )
+        if EmbedMolecule(molecule, randomSeed=7) == 0:
+            structure = pliant.from_rdkit(molecule)
+            framework = structure.framework("bonds", use_masses=False)
+            yield Specimen(name, framework, np.array(structure.positions))
 
 
-def packaged_proteins(bars: str = "bonds") -> tuple[list[Specimen], list[str]]:
+def packaged_proteins() -> tuple[list[Specimen], list[str]]:
     """What installed packages hold, and why the others are not here."""
-    found, missing = [], []
-    for package, files in FILES.items():
-        spec = importlib.util.find_spec(package)
-        if spec is None or spec.origin is None:
-            missing.append(f"{package} is not installed")
-            continue
-        folder = Path(spec.origin).parent.parent
-        for file, name in files.items():
-            try:
-                found.append(_protein(folder / file, name, bars))
-            except pliant.Error as error:
-                missing.append(f"{name}: {error}")
+    found, missing, files = [], [], Files()
+    for source, name in PROTEINS.items():
+        try:
+            found.append(_protein(read_quietly(files.find(source)), name))
+        except pliant.Error as error:
+            missing.append(f"{name}: {error}")
     return found, missing
 
 
-def _protein(path: Path, name: str, bars: str) -> Specimen:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", pliant.PliantWarning)  # guessed elements, conformers
-        structure = pliant.read(path)
-        framework = structure.framework(bars, use_masses=False)
+def _protein(structure: pliant.Structure, name: str) -> Specimen:
+    framework = structure.framework("bonds", use_masses=False)
     component = framework.components()
     keep = np.bincount(component)[component] >= LEAST_ATOMS
     place = np.cumsum(keep) - 1
     kept = keep[framework.bars].all(axis=1)
-    positions = np.array(structure.positions)[keep]
-    dry = pliant.Framework(
-        place[framework.bars[kept]], framework.rest_lengths[kept], joint_count=int(keep.sum())
-    )
-    return Specimen(name, "protein", dry, positions)
+    bars, lengths = place[framework.bars[kept]], framework.rest_lengths[kept]
+    dry = pliant.Framework(bars, lengths, joint_count=int(keep.sum()))
+    return Specimen(name, dry, np.array(structure.positions)[keep])

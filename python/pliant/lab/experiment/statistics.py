@@ -8,11 +8,12 @@ pushes of each (cluster bootstrap; Davison and Hinkley, "Bootstrap methods and t
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant.lab.experiment.settings import Combination, families, reverse_techniques
+from pliant.lab.experiment.settings import families
 from pliant.lab.experiment.table import Table
 
 REPLICATES = 2000
@@ -133,24 +134,6 @@ class Evidence:
         place = np.searchsorted(graphs, self._graph[rows])
         return statistics_of(Sample(self.table.columns[self.yardstick][rows], place, counts))
 
-    def unconverged(self, family: str, technique: str, weighting: float) -> int:
-        """How many resolves met the limit of sweeps."""
-        rows = self.rows_of(family, technique, weighting)
-        return int((~self.table.columns["converged"][rows]).sum())
-
-    def combinations(self, family: str) -> list[Combination]:
-        """Techniques and weightings that the table has of a family."""
-        settings = self.table.settings
-        kinds = [kind for kind in settings.classes if families()[kind] == family]
-        return settings.combinations(kinds[0]) if kinds else []
-
-
-def yardsticks_of(techniques: set[str]) -> tuple[str, ...]:
-    """Those that can differ in what they say: passes differ from sweeps for reverse ones only."""
-    if techniques & reverse_techniques():
-        return YARDSTICKS
-    return ("sweeps", "projections")
-
 
 def interval(values: np.ndarray) -> tuple[float, float]:
     """95 % percentile interval of the replicates."""
@@ -158,16 +141,25 @@ def interval(values: np.ndarray) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def with_interval(values: np.ndarray) -> str:
-    """ "3.14 [2.9, 3.4]"."""
-    low, high = interval(values)
-    return f"{number(values[0])} [{number(low)}, {number(high)}]"
+def shown(values: np.ndarray) -> str:
+    """ "3.14 [2.9, 3.4]": the sample's value, and the interval of the replicates."""
+    return with_interval((float(values[0]), *interval(values)))
+
+
+def with_interval(found: tuple[float, float, float]) -> str:
+    """ "3.14 [2.9, 3.4]" of a value and its interval."""
+    return f"{number(found[0])} [{number(found[1])}, {number(found[2])}]"
 
 
 def number(value: float) -> str:
-    """Three digits, never in powers of ten below a million."""
-    value = float(value)
-    if value == int(value) and abs(value) < 1e6:
+    """Three digits, or the whole number if it has more."""
+    value, size = float(value), abs(value)
+    if value == int(value) and size < 1e7:
         return str(int(value))
-    size = abs(value)
-    return f"{value:.0f}" if size >= 100 else f"{value:.1f}" if size >= 10 else f"{value:.2f}"
+    return f"{value:.0f}" if size >= 100 else f"{value:.1f}" if size >= 10 else f"{value:.3g}"
+
+
+def between(counts: Collection[int]) -> str:
+    """The smallest and the largest: "2 to 20", or "10" where all are alike."""
+    low, high = min(counts), max(counts)
+    return str(low) if low == high else f"{low} to {high}"

@@ -25,7 +25,6 @@ ROW = np.dtype(
         ("projections", "<i8"),
         ("converged", "?"),
         ("final_residual", "<f8"),
-        ("seconds", "<f8"),
     ]
 )
 
@@ -97,8 +96,7 @@ def _resolve_all(
         found = resolver.resolve(moved, push[0], step=k + 1)
         passes = (found.sweeps + 1) // 2 if there_and_back else found.sweeps
         work = found.sweeps, passes, found.projections
-        ended = found.converged, found.max_residual, found.seconds
-        rows[k] = (rows[k]["combination"], k, *work, *ended)
+        rows[k] = (rows[k]["combination"], k, *work, found.converged, found.max_residual)
         if settings.consecutive:
             previous = positions
             positions = moved if found.stop != pliant.Stop.not_finite else positions

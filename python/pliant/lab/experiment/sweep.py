@@ -13,14 +13,14 @@ from pathlib import Path
 from typing import Any
 
 from pliant import InputError, OptionError
-from pliant.base.new_file import new_text
 from pliant.lab.experiment import table as tables
 from pliant.lab.experiment.claims import CLAIMS, evidence_by_yardstick
 from pliant.lab.experiment.laboratory import Show
-from pliant.lab.experiment.pool import each_done
 from pliant.lab.experiment.settings import Settings, families
 from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.subject import Subject, make_subject, measure_subject
+from pliant.lab.pool import each_done
+from pliant.lab.results import write_csv
 
 SWEEP_CSV = "sweep.csv"
 TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  #: Angstrom
@@ -103,7 +103,7 @@ def run_sweep(
         points += found
         show(done, len(cells))
     points.sort(key=_place)
-    _write(points, out / SWEEP_CSV)
+    write_csv(points, out / SWEEP_CSV)
     return points
 
 
@@ -187,14 +187,6 @@ def _graphs_of_each_family(table: tables.Table) -> int:
     members = zip(table.columns["class"].tolist(), table.columns["graph"].tolist(), strict=True)
     counts = Counter(families()[kind.decode()] for kind, _ in set(members))
     return min(counts.values())
-
-
-def _write(points: list[Point], path: Path) -> None:
-    names = [field.name for field in dataclasses.fields(Point)]
-    with new_text(path, overwrite=True) as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(names)
-        writer.writerows([getattr(point, name) for name in names] for point in points)
 
 
 def read_sweep(out: Path) -> list[Point]:

@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The tidy table of an experiment: one row a resolve, as CSV and as HDF5.
 
-``table.csv`` and ``table.h5`` depend on the settings alone: equal settings give equal bytes.
-How long each resolve took does not, so the column ``seconds`` stands in files of its own, row by
-row beside the others: ``paste -d, table.csv seconds.csv`` has all columns, and in ``table.h5`` the
-column ``seconds`` is a link to ``seconds.h5``.
+They depend on the settings alone: equal settings give equal bytes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,7 +22,6 @@ COLUMNS = tuple(
     "final_residual".split()
 )
 TABLE_CSV, TABLE_H5 = "table.csv", "table.h5"
-SECONDS_CSV, SECONDS_H5 = "seconds.csv", "seconds.h5"
 
 #: A column and what it says, as attributes of the HDF5 datasets have it.
 MEANINGS = {
@@ -40,7 +35,6 @@ MEANINGS = {
     "projections": "bars looked at",
     "converged": "every bar is within the tolerance",
     "final_residual": "largest |length - rest| / rest at the end",
-    "seconds": "wall time of the resolve, s",
 }
 
 
@@ -57,7 +51,7 @@ class Table:
 
 def join(settings: Settings, parts: Iterator[tuple[str, int, np.ndarray]]) -> Table:
     """One table of the rows of all graphs: (class, number, rows of subject.ROW)."""
-    pieces: dict[str, list[np.ndarray]] = {name: [] for name in (*COLUMNS, "seconds")}
+    pieces: dict[str, list[np.ndarray]] = {name: [] for name in COLUMNS}
     for kind, number, rows in parts:
         combinations = settings.combinations(kind)
         names = np.array([name.encode() for name, _ in combinations])
@@ -72,9 +66,7 @@ def join(settings: Settings, parts: Iterator[tuple[str, int, np.ndarray]]) -> Ta
 
 
 def write(table: Table, folder: Path) -> None:
-    """Writes the four files, each at once: a reader never sees half of one."""
-    _write_seconds_csv(table, folder / SECONDS_CSV)
-    _write_seconds_h5(table, folder / SECONDS_H5)
+    """Writes both files, each at once: a reader never sees half of one."""
     _write_csv(table, folder / TABLE_CSV)
     _write_h5(table, folder / TABLE_H5)
 
@@ -84,12 +76,6 @@ def _write_csv(table: Table, path: Path) -> None:
     with new_text(path, overwrite=True) as file:
         file.write(",".join(COLUMNS) + "\n")
         file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
-
-
-def _write_seconds_csv(table: Table, path: Path) -> None:
-    with new_text(path, overwrite=True) as file:
-        file.write("seconds\n")
-        file.writelines(f"{value:.9f}\n" for value in table.columns["seconds"].tolist())
 
 
 def _words(column: np.ndarray) -> list[str]:
@@ -107,37 +93,20 @@ def _number(value: int | float) -> str:
     return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
 
 
-@contextmanager
-def _new_hdf5(path: Path) -> Iterator[h5py.File]:
+def _write_h5(table: Table, path: Path) -> None:
     with (
         new_file(path, overwrite=True, tells_late=True) as new,
         h5py.File(new, "w", libver="v110") as file,
     ):
-        yield file
-
-
-def _write_h5(table: Table, path: Path) -> None:
-    with _new_hdf5(path) as file:
         file.attrs["settings"] = table.settings.text()
         for name in COLUMNS:
-            _write_column(file, name, table.columns[name])
-        file["seconds"] = h5py.ExternalLink(SECONDS_H5, "/seconds")
-
-
-def _write_seconds_h5(table: Table, path: Path) -> None:
-    with _new_hdf5(path) as file:
-        _write_column(file, "seconds", table.columns["seconds"])
-
-
-def _write_column(file: h5py.File, name: str, values: np.ndarray) -> None:
-    column = file.create_dataset(
-        name, data=values, compression="gzip", shuffle=True, track_times=False
-    )
-    column.attrs["meaning"] = MEANINGS[name]
+            values = table.columns[name]
+            how = {"compression": "gzip", "shuffle": True, "track_times": False}
+            file.create_dataset(name, data=values, **how).attrs["meaning"] = MEANINGS[name]
 
 
 def read(folder: Path) -> Table:
-    """Reads ``table.h5`` of an experiment's folder; the column of seconds is left out.
+    """Reads ``table.h5`` of an experiment's folder.
 
     Raises FileError if it cannot be opened, InputError if it is something else.
     """

@@ -3,24 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 import pliant
-from pliant.checks.weightings import WEIGHTINGS
-from pliant.lab.experiment.answer import Table
+from pliant.lab.experiment.statistics import resampling
 
-THESIS = tuple("random bfs_cycle dfs_cycle bfs_reverse dfs_reverse bfs_adapt bfs_random".split())
 PUSH = 0.5  #: Angstrom: what 50 kJ/(mol Angstrom) do to 1 u in one step of 0.01 ps
 TOLERANCE = 0.01  #: Angstrom
 LIMIT = 2000  #: sweeps
 REPLICATES = 1000
-
-Combination = tuple[str, float]
 
 
 @dataclass(frozen=True)
@@ -76,7 +71,6 @@ class Work:
     sweeps: np.ndarray
     projections: np.ndarray
     converged: np.ndarray
-    seconds: np.ndarray
     graphs: np.ndarray
 
     @property
@@ -86,99 +80,42 @@ class Work:
 
 
 def work_of(
-    trials: Sequence[Trial],
-    technique: str,
-    weighting: float = 0.5,
-    *,
-    length: float | None = TOLERANCE,
-    relative: float = 1e-6,
-    limit: int = LIMIT,
+    trials: Sequence[Trial], technique: str, weighting: float = 0.5, length: float = TOLERANCE
 ) -> Work:
-    """Resolves each trial; the tolerance is `length` (Angstrom), or `relative` if that is None."""
+    """Resolves each trial to a tolerance in Angstrom."""
     rows, resolver, owner = [], None, None
     for step, trial in enumerate(trials):
         if owner is not trial.framework:
             owner = trial.framework
             resolver = pliant.Resolver(
-                owner,
-                technique,
-                weighting,
-                tolerance=relative,
-                tolerance_length=length,
-                max_sweeps=limit,
+                owner, technique, weighting, tolerance_length=length, max_sweeps=LIMIT
             )
         assert resolver is not None
         done = resolver.resolve(trial.pushed(), trial.root, step=step, reference=trial.positions)
-        rows.append((done.sweeps, done.projections, done.converged, done.seconds, trial.graph))
+        rows.append((done.sweeps, done.projections, done.converged, trial.graph))
     columns = [np.array(column) for column in zip(*rows, strict=True)]
     return Work(*columns)
 
 
-def combinations(techniques: Sequence[str]) -> list[Combination]:
-    """Each technique with the thesis' weightings, or with 0.5 alone where it has none."""
-    weighted = {row.name: row.has_weighting for row in pliant.techniques()}
-    return [(t, w) for t in techniques for w in (WEIGHTINGS if weighted[t] else (0.5,))]
+def mean_interval(work: Work, seed: int) -> tuple[float, float, float]:
+    """Mean projections with the 95 % interval of their replicates."""
+    weights = _replicates(work.graphs, seed)
+    low, high = np.percentile(weights @ work.projections / weights.sum(axis=1), (2.5, 97.5))
+    return float(work.projections.mean()), float(low), float(high)
 
 
-def label(combination: Combination) -> str:
-    """ "bfs_cycle 0.5", or the bare name of a technique without weighting."""
-    name, weighting = combination
-    rows = {row.name: row.has_weighting for row in pliant.techniques()}
-    return f"{name} {weighting:g}" if rows[name] else name
+def ratio_interval(above: Work, below: Work, seed: int) -> tuple[float, float, float]:
+    """Ratio of the mean projections of two, on the same trials, with its 95 % interval."""
+    weights = _replicates(below.graphs, seed)
+    a, b = above.projections, below.projections
+    low, high = np.percentile((weights @ a) / (weights @ b), (2.5, 97.5))
+    return float(a.sum() / b.sum()), float(low), float(high)
 
 
-def replicates(graphs: np.ndarray, seed: int, count: int = REPLICATES) -> np.ndarray:
-    """(count, n) weights of n trials: whole graphs drawn with replacement (cluster bootstrap).
+def _replicates(graphs: np.ndarray, seed: int) -> np.ndarray:
+    """(REPLICATES, n) weights of n trials: whole graphs drawn with replacement.
 
-    Davison and Hinkley, "Bootstrap methods and their application" (1997), section 3.8. The same
-    seed gives the same draws, so that differences between techniques are paired.
+    The same seed gives the same draws, so that differences between techniques are paired.
     """
     names, place = np.unique(graphs, return_inverse=True)
-    draws = np.random.Generator(np.random.Philox(key=seed))
-    drawn = draws.integers(len(names), size=(count, len(names)))
-    counts = np.stack([np.bincount(row, minlength=len(names)) for row in drawn])
-    return counts[:, place]
-
-
-def mean_interval(values: npt.ArrayLike, weights: np.ndarray) -> tuple[float, float, float]:
-    """Mean of a sample with the 95 % interval of its replicates."""
-    values = np.asarray(values, dtype=float)
-    means = weights @ values / weights.sum(axis=1)
-    low, high = np.percentile(means, (2.5, 97.5))
-    return float(values.mean()), float(low), float(high)
-
-
-def ratio_interval(
-    above: npt.ArrayLike, below: npt.ArrayLike, weights: np.ndarray
-) -> tuple[float, float, float]:
-    """Ratio of the means of two paired samples with its 95 % interval."""
-    above, below = np.asarray(above, dtype=float), np.asarray(below, dtype=float)
-    ratios = (weights @ above) / (weights @ below)
-    low, high = np.percentile(ratios, (2.5, 97.5))
-    return float(above.sum() / below.sum()), float(low), float(high)
-
-
-def between(counts: Collection[int]) -> str:
-    """The smallest and the largest: "2 to 20", or "10" where all are alike."""
-    low, high = min(counts), max(counts)
-    return str(low) if low == high else f"{low} to {high}"
-
-
-def digits(value: float) -> str:
-    """Three digits, or the whole number if it has more."""
-    size = abs(value)
-    if value == int(value) and size < 1e7:
-        return f"{int(value)}"
-    return f"{value:.0f}" if size >= 100 else f"{value:.1f}" if size >= 10 else f"{value:.3g}"
-
-
-def with_interval(found: tuple[float, float, float]) -> str:
-    """ "3.14 [2.90, 3.40]"."""
-    return f"{digits(found[0])} [{digits(found[1])}, {digits(found[2])}]"
-
-
-def as_text(tables: list[Table]) -> list[Table]:
-    """Every cell as words, so that columns of figures and of intervals stand alike."""
-    for table in tables:
-        table.rows = [[str(cell) for cell in row] for row in table.rows]
-    return tables
+    return resampling(len(names), REPLICATES, seed)[1:, place]

@@ -6,9 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from pliant.lab.validity.references import ReferenceEnsemble, models_of, trajectory_of
-from pliant.lab.validity.rows import CHOSE, TUNED
-from pliant.lab.validity.sources import (
+from pliant.lab.sources import (
     BIO3D,
     BIOPYTHON,
     GEMMI,
@@ -19,6 +17,8 @@ from pliant.lab.validity.sources import (
     THESEUS,
     Source,
 )
+from pliant.lab.validity.references import ReferenceEnsemble, models_of, trajectory_of
+from pliant.lab.validity.rows import CHOSE, TUNED
 
 
 @dataclass(frozen=True)

@@ -3,15 +3,17 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 
-from pliant._core import InputError, OptionError
+from pliant._core import OptionError
+from pliant.lab.pairs.directions import directions_of
+from pliant.lab.sources import Files, MissingSourceError, Source
 from pliant.lab.validity import measure
 from pliant.lab.validity.cases import (
     CHANGES,
@@ -25,11 +27,8 @@ from pliant.lab.validity.cases import (
     Change,
     Fluctuation,
 )
-from pliant.lab.validity.costs import cost_rows
-from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of
-from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity
-from pliant.lab.validity.sources import Files, MissingSourceError, Source
+from pliant.lab.validity.rows import HELD_OUT, NO, TUNED, Row, Validity
 from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import Subject
 from pliant.lab.validity.turned import goal_trace, state_rows
@@ -37,6 +36,7 @@ from pliant.measure import agreement as alike
 
 FRAMES, SEEDS = 200, 3
 DRAWS = 1000
+GROUPS = (*FLUCTUATIONS, *CHANGES, "pairs", "crystals", "turns", "clashes")
 GOAL_OF = 30  #: directions held out, over which the goal of domain motions was set
 GOAL_ANM = "0.841 and 0.887"
 
@@ -62,7 +62,6 @@ class Ladder:
         found["crystals"] = self._crystals
         found["turns"] = self._turns
         found["clashes"] = self._clashes
-        found["cost"] = self._cost
         return found
 
     def measure(self, name: str) -> None:
@@ -118,11 +117,11 @@ class Ladder:
     def _domain_motions(self) -> list[Row]:
         """Both directions of each two files of a folder; a subject is let go after its row."""
         rows = []
-        for folder, start, target in pairs_of(self._pairs or Path()):
-            subject = Subject(start, self._frames)
-            data = TUNED if folder in TUNED_PAIRS else HELD_OUT
-            name = f"{folder}, {start.stem} to {target.stem}"
-            rows.append(measure.change_row(subject, models_of(target), name, data))
+        for pair in directions_of(self._pairs or Path()):
+            subject = Subject(pair.start, self._frames)
+            data = TUNED if pair.protein in TUNED_PAIRS else HELD_OUT
+            name = f"{pair.protein}, {pair.name}"
+            rows.append(measure.change_row(subject, models_of(pair.goal), name, data))
             self._looks += subject.looks
         return rows + means(rows)
 
@@ -186,12 +185,6 @@ class Ladder:
     def _crystal(self, source: Source) -> list[float]:
         return measure.crystal_figures(b_factors_of(self._files.find(source)))
 
-    def _cost(self) -> list[Row]:
-        sources = OPEN, CROWDED["4E43"], FLUCTUATIONS["ubiquitin"].start
-        open_, protease, ubiquitin = (self._files.find(source) for source in sources)
-        both = self._subject(open_), self._subject(protease)
-        return cost_rows(*both, open_, ubiquitin, self._frames)
-
     def _exact(self) -> list[Row]:
         rows = measure.exact_rows(f"all {self.found.sampled} frames", self._looks)
         looks = [subject.anm_look() for subject in self._subjects.values() if subject.looks]
@@ -205,21 +198,6 @@ class Ladder:
         share = self.found.sampled / sum(look.frames for look in looks)
         for row, name in zip(rows, ("overlaps", "flipped", "turned"), strict=True):
             row.anm = share * sum(getattr(look, name) for look in looks)
-
-
-def pairs_of(folder: Path) -> list[tuple[str, Path, Path]]:
-    """Protein, start and target: both directions of each subfolder with two PDB files.
-
-    Raises InputError where none has.
-    """
-    found = []
-    for below in sorted(path for path in folder.iterdir() if path.is_dir()):
-        files = sorted(path for path in below.iterdir() if path.suffix in (".pdb", ".cif"))
-        if len(files) == 2:
-            found += [(below.name, files[0], files[1]), (below.name, files[1], files[0])]
-    if not found:
-        raise InputError(f"{folder}: no subfolder with two structures")
-    return found
 
 
 def means(rows: Sequence[Row]) -> list[Row]:
@@ -243,11 +221,10 @@ def _middle(
     note, errors = f"{len(rows)} directions", [float(x) for x in error]
     ours, peers = (values[0], errors[0]), (values[1], values[2], errors[1])
     row = Row(name, figure, *ours, *peers, data=data, note=note)
-    goal = goal_of(name, figure)
-    if goal and len(rows) < GOAL_OF:
-        row.note += f"; the goal, {goal['must']}, is of {GOAL_OF}, of which ANM has {GOAL_ANM}"
-        return row
-    return replace(row, **goal)
+    if math.isfinite(row.must) and len(rows) < GOAL_OF:
+        row.note += f"; the goal, {row.must}, is of {GOAL_OF}, of which ANM has {GOAL_ANM}"
+        row.must = row.aim = NO
+    return row
 
 
 def validity(

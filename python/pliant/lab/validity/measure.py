@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from pliant.lab.validity.cases import Fluctuation
-from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.peers import Network, gnm_fluctuations, network_of
 from pliant.lab.validity.references import BFactors, ReferenceEnsemble
 from pliant.lab.validity.rows import Row
@@ -105,7 +104,7 @@ def _row(
     name: str, figure: str, ours: Figure, network: Figure, anm: Figure, gnm: Figure | None = None
 ) -> Row:
     rivals = (network.value, anm.value, anm.error, gnm.value if gnm else float("nan"))
-    return Row(name, figure, ours.value, ours.error, *rivals, **goal_of(name, figure))
+    return Row(name, figure, ours.value, ours.error, *rivals)
 
 
 def _modes(subject: Subject, atoms: np.ndarray) -> dict[str, np.ndarray]:
@@ -150,7 +149,7 @@ def exact_rows(name: str, looks: Sequence[Stereochemistry]) -> list[Row]:
         "flipped chirality": sum(look.flipped for look in looks),
         "omega off > 5 degrees": sum(look.turned for look in looks),
     }
-    rows = [Row(name, key, value, **goal_of(name, key)) for key, value in figures.items()]
+    rows = [Row(name, key, value) for key, value in figures.items()]
     deepest = max(look.worst_overlap for look in looks)
     rows[1].note = f"the deepest is {deepest:.3f} Angstrom"
     return rows
@@ -217,10 +216,7 @@ def seed_rows(subject: Subject, name: str, seeds: int, data: str) -> list[Row]:
     inner = min(alike.rmsip(modes[a], modes[b]) for a, b in pairs)
     note = f"{len(pairs)} pairs of {seeds} seeds"
     figures = {"two seeds, r of RMSF, the worst": r, "two seeds, RMSIP of 10, the worst": inner}
-    return [
-        Row(name, figure, value, data=data, note=note, **goal_of(name, figure))
-        for figure, value in figures.items()
-    ]
+    return [Row(name, figure, value, data=data, note=note) for figure, value in figures.items()]
 
 
 def frame_rows(subject: Subject, name: str) -> list[Row]:
@@ -229,14 +225,14 @@ def frame_rows(subject: Subject, name: str) -> list[Row]:
     figure = "Ramachandran outliers above the start's, %"
     excess = [100 * (one.outliers - one.outliers_of_start) for one in (look, anm)]
     error = float(np.std(look.outliers_of_frames) / np.sqrt(max(look.frames, 1)))
-    rows = [Row(name, figure, excess[0], 100 * error, anm=excess[1], **goal_of(name, figure))]
+    rows = [Row(name, figure, excess[0], 100 * error, anm=excess[1])]
     rows[0].note = f"the start has {100 * look.outliers_of_start:.1f} % of {look.residues}"
     for amplitude in (AMPLITUDE, FAR):
         figure = f"redrawn at {amplitude:g} Angstrom, %"
         drawn = subject.ensemble(0, amplitude)
         share = 100 * drawn.redrawn / (look.frames + drawn.failed)
         note = f"{drawn.failed} frames given up" if drawn.failed else ""
-        rows.append(Row(name, figure, share, note=note, **goal_of(name, figure)))
+        rows.append(Row(name, figure, share, note=note))
     return rows
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from pliant._core import Structure, network_modes
-from pliant.lab.validity.alpha_carbons import Trace
+from pliant.lab.structures import Trace
 
 SHARED_MODES = 60  #: as many as frames are drawn from
 DRAWN_MODES = 60  #: of a peer's frames: the stiffest modes would tear them worse

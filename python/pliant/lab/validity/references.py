@@ -7,10 +7,11 @@ import os
 import warnings
 from dataclasses import dataclass
 
+import MDAnalysis
 import numpy as np
 
 import pliant
-from pliant.lab.validity.alpha_carbons import Trace, amino_part, trace_of
+from pliant.lab.structures import Trace, amino_part, read_quietly, trace_of
 from pliant.measure.joined_chains import joined_along
 from pliant.measure.sequence import LETTERS
 
@@ -21,13 +22,6 @@ class ReferenceEnsemble:
 
     sequence: str
     frames: np.ndarray  #: (F, R, 3) Angstrom
-
-
-def read_quietly(path: str | os.PathLike[str], model: int = 1) -> pliant.Structure:
-    """A model of a file, without warnings of its columns, alternates and links."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", pliant.PliantWarning)
-        return pliant.read(path, model)
 
 
 def models_of(path: str | os.PathLike[str]) -> ReferenceEnsemble:
@@ -42,8 +36,6 @@ def trajectory_of(
     topology: str | os.PathLike[str], path: str | os.PathLike[str]
 ) -> ReferenceEnsemble:
     """A trajectory that MDAnalysis reads; alpha carbons across a cell's border are joined."""
-    import MDAnalysis
-
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of missing masses and the like
         universe = MDAnalysis.Universe(os.fspath(topology), os.fspath(path))

@@ -9,12 +9,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from pliant.lab.validity.alpha_carbons import Trace, amino_part, chain_part, trace_of
-from pliant.lab.validity.goals import goal_of
+from pliant.lab.sources import Files, Source
+from pliant.lab.structures import Trace, amino_part, chain_part, read_quietly, trace_of
 from pliant.lab.validity.measure import CLASHES
-from pliant.lab.validity.references import read_quietly
 from pliant.lab.validity.rows import Row
-from pliant.lab.validity.sources import Files, Source
 from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import Subject
 from pliant.measure import agreement as alike
@@ -46,8 +44,7 @@ def nearest_row(subject: Subject, goal: Trace, name: str) -> Row:
     note = (
         f"{at_start:.2f} in the start, {found['turns']:.2f} of turns, {found['modes']:.2f} of modes"
     )
-    figure = "nearest frame of reach, Angstrom"
-    return Row(name, figure, found["reach"], note=note, **goal_of(name, figure))
+    return Row(name, "nearest frame of reach, Angstrom", found["reach"], note=note)
 
 
 def built_rows(turns: Stereochemistry, modes: Stereochemistry, name: str) -> list[Row]:

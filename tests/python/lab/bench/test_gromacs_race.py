@@ -12,7 +12,7 @@ from pliant.lab.bench.gromacs_race import Series, Tried, climb, rows_of, worth_t
 from pliant.lab.bench.target import read_target
 from pliant.lab.bench.work_precision import prepare
 from pliant.lab.bench.work_precision_picture import draw_on
-from pliant.lab.bench.work_precision_report import label
+from pliant.lab.bench.work_precision_rows import label
 from pliant.lab.peers.gromacs import Program, Run, Setting, lincs_settings, programs
 
 CAFFEINE = Path(__file__).parents[4] / "data" / "molecules" / "caffeine.sdf"

@@ -25,7 +25,7 @@ CAFFEINE = MOLECULES / "caffeine.sdf"
 
 @pytest.fixture(scope="module")
 def diagram():
-    return race.work_precision(CAFFEINE, tolerances=(1e-3, 1e-8), repeats=2, gromacs=False)
+    return race.work_precision(CAFFEINE, tolerances=(1e-3, 1e-8), repeats=2, peers="openmm")
 
 
 def test_every_technique_that_can_takes_part(diagram):
@@ -199,8 +199,7 @@ def test_the_table_names_everyone(capsys):
     [
         (["work-precision", str(CAFFEINE), "--technique", "none"], 2, 'no technique named "none"'),
         (["work-precision", "none.pdb"], 1, "none.pdb"),
-        (["scaling", "--kinds", "cube"], 2, 'no kind named "cube"; known: chain, tree, protein'),
-        (["scaling", "--technique", "none"], 2, 'no technique named "none"'),
+        (["step", "--kinds", "cube"], 2, 'no kind named "cube"; known: protein, zigzag'),
         (["throughput", str(CAFFEINE), "--technique", "none"], 2, 'no technique named "none"'),
     ],
 )

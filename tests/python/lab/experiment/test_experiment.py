@@ -9,7 +9,6 @@ import subprocess
 import sys
 import time
 
-import h5py
 import numpy as np
 import pytest
 from pliant.lab.experiment import command, laboratory
@@ -59,16 +58,6 @@ def test_csv_and_hdf5_hold_the_same(experiment_folder):
     assert [row["converged"] == "true" for row in rows] == table.columns["converged"].tolist()
     weightings = [float(row["weighting"] or NO_WEIGHTING) for row in rows]
     assert weightings == table.columns["weighting"].tolist()
-
-
-def test_seconds_stand_beside_the_table_row_by_row(experiment_folder):
-    with h5py.File(experiment_folder / "table.h5") as file:
-        seconds = file["seconds"][:]
-        assert len(seconds) == len(file["sweeps"])
-    assert np.all(seconds > 0) and np.all(np.isfinite(seconds))
-    lines = (experiment_folder / "seconds.csv").read_text().split()
-    assert lines[0] == "seconds"
-    np.testing.assert_allclose([float(line) for line in lines[1:]], seconds, atol=1e-9)
 
 
 def test_two_runs_give_the_same_bytes_on_any_number_of_processes(experiment_folder, tmp_path):

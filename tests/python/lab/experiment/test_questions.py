@@ -1,42 +1,33 @@
 # SPDX-License-Identifier: MIT
 """The pages of open questions: each answered in small, its numbers against closed forms."""
 
-import importlib
-import pkgutil
-from contextlib import nullcontext
-
 import numpy as np
 import pytest
-from pliant.lab.experiment import questions, specimens
-from pliant.lab.experiment.questions import bfs_cycle, root_adaptation
+from pliant.lab.experiment import specimens
+from pliant.lab.experiment.questions import bfs_cycle, n_cycles, root_adaptation
+from pliant.lab.experiment.report import QUESTIONS
+from pliant.lab.experiment.settings import label
+from pliant.lab.experiment.statistics import number
 from pliant.lab.experiment.sweep_matrix import closing_rate, spectral_radius, sweep_matrix
 from pliant.lab.experiment.trials import (
+    REPLICATES,
     Trial,
-    digits,
-    label,
+    Work,
+    _replicates,
     mean_interval,
     pushed_graphs,
     ratio_interval,
-    replicates,
     work_of,
 )
 
 import pliant
 
-NAMES = ["bfs_cycle", "census", "n_cycles", "new_techniques", "root_adaptation", "sizes"]
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def page(name):
-    return importlib.import_module(f"pliant.lab.experiment.questions.{name}")
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_a_page_answers_with_a_verdict_tables_and_figures(name, tmp_path):
-    module = page(name)
-    of_all = pytest.warns(pliant.PliantWarning, match="goes from bar to bar")
-    with of_all if name == "new_techniques" else nullcontext():
-        found = module.answer(tmp_path, 0, True)
+@pytest.mark.parametrize("module", QUESTIONS)
+def test_a_page_answers_with_a_verdict_tables_and_figures(module, tmp_path):
+    found = module.answer(tmp_path, 0, True)
     assert found.title == module.TITLE
     assert any(letter.isdigit() for letter in found.verdict)
     assert "nan" not in found.verdict.split()
@@ -49,33 +40,12 @@ def test_a_page_answers_with_a_verdict_tables_and_figures(name, tmp_path):
         assert figure.path.is_relative_to(tmp_path)
 
 
-def test_every_question_has_its_place():
-    every = {row.name for row in pkgutil.iter_modules(questions.__path__)}
-    assert set(NAMES) <= every
-    places = [page(name).ORDER for name in NAMES]
-    assert sorted(places) == [1, 2, 3, 4, 5, 6]
-
-
 @pytest.mark.long
-@pytest.mark.parametrize("name", ["sizes", "n_cycles"])
-def test_a_page_comes_out_the_same_twice(name, tmp_path):
-    one, two = (page(name).answer(tmp_path, 3, True) for _ in range(2))
+def test_a_page_comes_out_the_same_twice(tmp_path):
+    one, two = (n_cycles.answer(tmp_path, 3, True) for _ in range(2))
     assert one.verdict == two.verdict
     assert [table.rows for table in one.tables] == [table.rows for table in two.tables]
-    assert page(name).answer(tmp_path, 4, True).tables[0].rows != one.tables[0].rows
-
-
-@pytest.mark.parametrize(("graphs", "pushes"), [(3, 4), (5, 2)])
-def test_the_page_on_sizes_tells_the_pushes_that_were_made(graphs, pushes, tmp_path, monkeypatch):
-    sizes = page("sizes")
-    made = sizes.pushed_graphs
-    monkeypatch.setattr(
-        sizes,
-        "pushed_graphs",
-        lambda kind, _, __, seed, **options: made(kind, graphs, pushes, seed, **options),
-    )
-    (text,) = sizes.answer(tmp_path, 3, True).paragraphs
-    assert f"{graphs} graphs of each class and size with {pushes} pushes each" in text
+    assert n_cycles.answer(tmp_path, 4, True).tables[0].rows != one.tables[0].rows
 
 
 def chain(bars, angle=np.pi):
@@ -181,19 +151,20 @@ def test_new_techniques_do_better_than_the_best_of_the_thesis(technique):
 
 def test_the_bootstrap_draws_whole_graphs():
     graphs = np.repeat([4, 7, 9], 5)
-    weights = replicates(graphs, 1, 400)
-    assert weights.shape == (400, 15)
+    weights = _replicates(graphs, 1)
+    assert weights.shape == (REPLICATES, 15)
     assert (weights.sum(axis=1) == 15).all()
-    assert (weights.reshape(400, 3, 5).std(axis=2) == 0).all()
-    mean, low, high = mean_interval(graphs, weights)
+    assert (weights.reshape(-1, 3, 5).std(axis=2) == 0).all()
+    one, three = (Work(graphs, k * graphs, graphs > 0, graphs) for k in (1, 3))
+    mean, low, high = mean_interval(one, 1)
     assert (mean, low, high) == (pytest.approx(20 / 3), 4.0, 9.0)
-    ratio, low, high = ratio_interval(3.0 * graphs, graphs, weights)
+    ratio, low, high = ratio_interval(three, one, 1)
     assert (ratio, low, high) == (pytest.approx(3.0),) * 3
 
 
 def test_numbers_have_three_digits():
     assert [
-        digits(x) for x in (0.012345, 1.2345, 12.345, 123.45, 12345.6, 7.0)
+        number(x) for x in (0.012345, 1.2345, 12.345, 123.45, 12345.6, 7.0)
     ] == "0.0123 1.23 12.3 123 12346 7".split()
     assert label(("bfs_cycle", 0.5)) == "bfs_cycle 0.5"
     assert label(("blocks", 0.5)) == "blocks"

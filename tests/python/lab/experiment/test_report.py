@@ -11,10 +11,10 @@ from html.parser import HTMLParser
 from types import SimpleNamespace
 
 import pytest
-from pliant.lab.experiment import command, inquiry, sections
-from pliant.lab.experiment.answer import Answer, Figure, Table
-from pliant.lab.experiment.choices import Choices
+from pliant.lab.experiment import command, sections
+from pliant.lab.experiment import report as reports
 from pliant.lab.experiment.claims import CLAIMS, evidence_by_yardstick
+from pliant.lab.experiment.document import Answer, Figure, Table
 from pliant.lab.experiment.drawings import BAR_CHARTS, HISTOGRAMS
 from pliant.lab.experiment.report import make_report
 from pliant.lab.experiment.settings import Settings
@@ -56,7 +56,7 @@ class Page(HTMLParser):
 def report(experiment_folder, tmp_path_factory):
     folder = tmp_path_factory.mktemp("report") / "study"
     shutil.copytree(experiment_folder, folder)
-    return make_report(folder, Choices(questions=False, quick=True, replicates=50))
+    return make_report(folder, questions=False, quick=True, replicates=50)
 
 
 @pytest.fixture(scope="module")
@@ -210,28 +210,20 @@ def test_questions_have_a_page_each_in_their_order(experiment_folder, tmp_path, 
             )
 
         return SimpleNamespace(
-            answer=answer,
-            TITLE=f"About {name}",
-            ORDER=len(name),
-            __name__=f"pliant.lab.experiment.questions.{name}",
+            answer=answer, TITLE=f"About {name}", __name__=f"pliant.lab.experiment.questions.{name}"
         )
 
-    made = [answer_of("longest"), answer_of("short"), answer_of("broken")]
-    monkeypatch.setattr(inquiry, "modules", lambda: sorted(made, key=lambda one: one.ORDER))
+    made = tuple(map(answer_of, ("short", "broken", "longest")))
+    monkeypatch.setattr(reports, "QUESTIONS", made)
     monkeypatch.setattr("pliant.lab.experiment.drawings.HISTOGRAMS", HISTOGRAMS[:1])
     monkeypatch.setattr("pliant.lab.experiment.drawings.BAR_CHARTS", BAR_CHARTS[:1])
-    made_report = make_report(tmp_path / "study", Choices(sweep=False, replicates=10))
+    made_report = make_report(tmp_path / "study", sweep=False, replicates=10)
     assert asked == [("short", 7, False), ("broken", 7, False), ("longest", 7, False)]
     text = made_report.path.read_text()
     assert text.index("What about short?") < text.index("What about longest?")
     assert "Because &lt;it&gt; is." in text
     assert "not answered: RuntimeError: no data" in text
     assert made_report.failed_questions == ["broken"]
-
-
-def test_the_questions_that_are_there_can_be_asked():
-    for module in inquiry.modules():
-        assert isinstance(module.TITLE, str) and isinstance(module.ORDER, int)
 
 
 def test_the_command_prints_the_claims(experiment_folder, tmp_path, capsys, monkeypatch):

@@ -13,8 +13,8 @@ from pliant.lab.experiment.statistics import (
     interval,
     number,
     resampling,
+    shown,
     statistics_of,
-    with_interval,
 )
 
 
@@ -76,4 +76,4 @@ def test_classes_of_a_family_are_pooled(made_table):
 
 def test_numbers_in_words():
     assert number(3) == "3" and number(3.14159) == "3.14" and number(1234.5) == "1234"
-    assert with_interval(np.array([2.0, 1.0, 1.0, 3.0, 3.0])) == "2 [1, 3]"
+    assert shown(np.array([2.0, 1.0, 1.0, 3.0, 3.0])) == "2 [1, 3]"

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from expected_warnings import read_without_elements
-from pliant.lab.validity.alpha_carbons import amino_part, trace_of
+from pliant.lab.structures import amino_part, trace_of
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
 from pliant.measure import agreement as alike
 from pliant.measure.sequence import LETTERS, aligned

@@ -10,7 +10,7 @@ import pliant
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 pytest.importorskip("scipy")
 
-from pliant.lab.validity.alpha_carbons import amino_part  # noqa: E402
+from pliant.lab.structures import amino_part  # noqa: E402
 from pliant.lab.validity.clashes import HeavyClashes  # noqa: E402
 from pliant.lab.validity.stereochemistry import Checker, dihedrals  # noqa: E402
 from scipy.spatial.transform import Rotation  # noqa: E402

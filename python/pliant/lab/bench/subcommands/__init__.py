@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What pliant lab bench measures: a module for each subcommand, found by its name.
+"""What pliant lab bench measures: a module for each subcommand, imported when it is asked for.
 
-Each has ``ORDER`` (where its line stands in the help), ``SUMMARY`` (that line), ``DESCRIPTION`` and
-``EPILOG`` of its own help, ``add_options(parser)``, and ``run(arguments)``, which returns the exit
-code. What takes long to import is imported in these two.
+Each has ``DESCRIPTION`` and ``EPILOG`` of its help, ``OPTIONS`` (what ``add_argument`` gets, by
+name; ``dest`` is a parameter of ``measure``), ``measure(**options, progress)``, which returns
+``Results``, and, where these can be drawn, ``PICTURE``: a module with ``draw(results, path)``, and
+what it draws.
 """

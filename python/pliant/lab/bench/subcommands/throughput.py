@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
-import argparse
+from typing import Any
 
-from pliant.base import console
+from pliant._core import OptionError
+from pliant.lab.bench.frames import SAMPLER, frame_costs
+from pliant.lab.bench.throughput import REPEATS, TECHNIQUES, throughput
+from pliant.lab.options import BARS, DISPLACEMENT, TOLERANCE, counts, names, number, whole, word
+from pliant.lab.results import Results
 
-ORDER = 3
-SUMMARY = "conformers made whole per second, on one thread and on several"
 DESCRIPTION = """\
 Breaks copies of a molecule and repairs them on one thread and on several, each with its
 own copies and plans. Times are wall times. It also checks that one thread
@@ -22,80 +24,26 @@ examples:
   pliant lab bench throughput protein.pdb --tolerance 1e-10
   pliant lab bench throughput adk_open.pdb adk_closed.pdb --frames 200
 """
+OPTIONS = {
+    "files": word("FILE", "molecule file, as for pliant run; several with --frames", nargs="+"),
+    "--frames": whole(2, None, "make N frames of pliant sample instead"),
+    "--sampler": word("NAME", "with --frames: see pliant.samplers()", SAMPLER),
+    "--bars": BARS,
+    "--technique": names("techniques (see pliant lab techniques)", TECHNIQUES, dest="techniques"),
+    "--weighting": number(1.0, "weighting of the techniques", "W"),
+    "--tolerance": TOLERANCE,
+    "--displacement": DISPLACEMENT,
+    "--threads": counts("1,2", "numbers of threads"),
+    "--repeats": whole(1, REPEATS, "number of rounds; the median is reported"),
+}
 
 
-def add_options(parser: console.Parser) -> None:
-    """Those of this subcommand."""
-    from pliant.lab.bench.frames import SAMPLER
-    from pliant.lab.bench.throughput import REPEATS, TECHNIQUES, THREADS
-
-    add = parser.add_argument
-    text = "molecule file, as for pliant run; several with --frames"
-    add("files", metavar="FILE", nargs="+", help=text)
-    text = "make N frames of pliant sample instead"
-    add("--frames", metavar="N", type=console.whole_number(2), help=text)
-    text = f"with --frames: see pliant.samplers() (default {SAMPLER})"
-    add("--sampler", metavar="NAME", default=SAMPLER, help=text)
-    text = "what becomes a bar (default bonds)"
-    add("--bars", choices=["bonds", "angles"], default="bonds", help=text)
-    text = f"techniques (see pliant lab techniques; default {','.join(TECHNIQUES)})"
-    add("--technique", metavar="NAME,...", type=console.words, default=TECHNIQUES, help=text)
-    text = "weighting of the techniques (default 1)"
-    add("--weighting", metavar="W", type=console.positive_number, default=1.0, help=text)
-    text = "relative tolerance (default 1e-6)"
-    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6, help=text)
-    text = "standard deviation of each coordinate, Angstrom (default 0.1)"
-    add("--displacement", metavar="A", type=console.positive_number, default=0.1, help=text)
-    text = "numbers of threads (default 1,2)"
-    add("--threads", metavar="N,N,...", type=console.positive_numbers, default=THREADS, help=text)
-    text = f"number of rounds; the median is reported (default {REPEATS})"
-    add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS, help=text)
-    add("--csv", metavar="FILE", help="write the rows as CSV")
-    text = "other programs to measure (default openmm)"
-    add("--peers", choices=["openmm", "none"], default="openmm", help=text)
-
-
-def run(arguments: argparse.Namespace) -> int:
-    """Measures and prints; returns the exit code."""
-    import pliant
-
-    if arguments.frames is not None:
-        return _run_frames(arguments)
-    if len(arguments.files) > 1:
-        raise pliant.OptionError("several files need --frames")
-    from pliant.lab.bench.rows import write_csv
-    from pliant.lab.bench.throughput import print_report, throughput
-
-    found = throughput(
-        arguments.files[0],
-        bars=arguments.bars,
-        techniques=arguments.technique,
-        weighting=arguments.weighting,
-        tolerance=arguments.tolerance,
-        displacement=arguments.displacement,
-        threads=tuple(round(count) for count in arguments.threads),
-        repeats=arguments.repeats,
-        openmm=arguments.peers == "openmm",
-    )
-    if arguments.csv:
-        write_csv(found.rows, arguments.csv)
-    console.print_json(found.as_json()) if arguments.json else print_report(found)
-    return console.EXIT_FAILED if found.wrong() else console.EXIT_OK
-
-
-def _run_frames(arguments: argparse.Namespace) -> int:
-    from pliant.lab.bench.frames import frame_costs, print_report
-    from pliant.lab.bench.rows import write_csv
-
-    with console.progress("rounds", arguments.quiet or arguments.json) as show:
-        found = frame_costs(
-            arguments.files,
-            sampler=arguments.sampler,
-            frames=arguments.frames,
-            rounds=arguments.repeats,
-            progress=show,
-        )
-    if arguments.csv:
-        write_csv(found.rows, arguments.csv)
-    console.print_json(found.as_json()) if arguments.json else print_report(found)
-    return console.EXIT_FAILED if found.faults else console.EXIT_OK
+def measure(
+    files: list[str], frames: int | None, sampler: str, repeats: int, progress: Any, **options: Any
+) -> Results:
+    """Frames of all files, or conformers of one."""
+    if frames is not None:
+        return frame_costs(files, sampler=sampler, frames=frames, rounds=repeats, progress=progress)
+    if len(files) > 1:
+        raise OptionError("several files need --frames")
+    return throughput(files[0], repeats=repeats, **options)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Open questions of the thesis: one module each, with TITLE, ORDER and answer()."""
+"""Open questions of the thesis: one module each, with TITLE and answer()."""

@@ -14,20 +14,12 @@ from matplotlib.ticker import NullFormatter, ScalarFormatter
 import pliant
 from pliant.base import plotting
 from pliant.checks.weightings import WEIGHTINGS
-from pliant.lab.experiment.answer import Answer, Figure, Table
+from pliant.lab.experiment.document import Answer, Figure, Table, as_text
+from pliant.lab.experiment.statistics import number
 from pliant.lab.experiment.sweep_matrix import closing_rate, spectral_radius, sweep_matrix
-from pliant.lab.experiment.trials import (
-    LIMIT,
-    PUSH,
-    TOLERANCE,
-    Trial,
-    as_text,
-    digits,
-    pushed_graphs,
-)
+from pliant.lab.experiment.trials import LIMIT, PUSH, TOLERANCE, Trial, pushed_graphs
 
 TITLE = "Why is bfs_cycle with weighting 1 inconsistent?"
-ORDER = 1
 
 POLYGONS = (3, 4, 5, 6, 8, 12, 20, 50)
 COLORS = {0.5: plotting.BLUE, 0.75: plotting.ORANGE, 1.0: plotting.VERMILION}
@@ -193,8 +185,8 @@ def _rate_table(found: dict[float, list[Observed]], trials: int) -> Table:
         ratio = np.array([s.predicted / s.sweeps for s in seen if s.converged])
         near = np.mean((ratio < 1.5) & (ratio > 1 / 1.5))
         row: list[str | int | float] = [f"{weighting:g}", len(seen), f"{np.median(rates):.3f}"]
-        row += [f"{np.percentile(rates, 90):.3f}", f"{rates.max():.5f}", digits(sweeps.mean())]
-        row += [digits(sweeps.std(ddof=1)), int(sweeps.max()), sum(not s.converged for s in seen)]
+        row += [f"{np.percentile(rates, 90):.3f}", f"{rates.max():.5f}", number(sweeps.mean())]
+        row += [number(sweeps.std(ddof=1)), int(sweeps.max()), sum(not s.converged for s in seen)]
         table.rows.append([*row, f"{np.median(ratio):.2f}", f"{100 * near:.0f} %"])
     return table
 
@@ -208,7 +200,7 @@ def _bin_table(seen: list[Observed]) -> Table:
         sweeps = np.array([s.sweeps for s in seen if low <= s.rate < high])
         if sweeps.size:
             edges = f"{low:g}", f"{min(high, 1.0):g}"
-            table.rows.append([*edges, len(sweeps), digits(sweeps.mean()), int(sweeps.max())])
+            table.rows.append([*edges, len(sweeps), number(sweeps.mean()), int(sweeps.max())])
     return table
 
 

@@ -9,12 +9,11 @@ import numpy as np
 
 import pliant
 from pliant.base import plotting
-from pliant.lab.experiment.answer import Answer, Figure, Table
+from pliant.lab.experiment.document import Answer, Figure, Table, as_text
 from pliant.lab.experiment.specimens import SMILES, Specimen, packaged_proteins, rdkit_molecules
-from pliant.lab.experiment.trials import as_text, digits
+from pliant.lab.experiment.statistics import number
 
 TITLE = "How do real molecules compare with the thesis' classes?"
-ORDER = 5
 
 CLASSES = tuple(
     "tree 1-cycle-bar 1-cycle-ring 2-cycle-bars 2-cycle-shared 2-cycle-tree 2-cycle-path "
@@ -26,20 +25,22 @@ SMALL = 20  #: bonds: steroids and porphyrin rings are about as large
 def answer(out: Path, seed: int, quick: bool) -> Answer:
     """Counts on the bonds of molecules and proteins, and on the thesis' random graphs."""
     molecules, proteins, missing = _gather(quick)
-    random = [
-        pliant.generate(kind, seed, number).framework
+    random = {
+        kind: [
+            pliant.generate(kind, seed, k).framework.graph_facts()
+            for k in range(3 if quick else 20)
+        ]
         for kind in CLASSES
-        for number in range(3 if quick else 20)
-    ]
-    facts = [specimen.framework.graph_facts() for specimen in molecules]
+    }
+    every = [facts for group in random.values() for facts in group]
+    small, large = ([one.framework.graph_facts() for one in own] for own in (molecules, proteins))
+    tables = [_class_table(small), _specimen_table(molecules, proteins), _random_table(random)]
     return Answer(
         TITLE,
-        _verdict(facts, [p.framework.graph_facts() for p in proteins], random),
+        _verdict(small, large, every),
         _paragraphs(missing, len(molecules)),
-        as_text(
-            [_class_table(facts), _specimen_table(molecules, proteins), _random_table(seed, quick)]
-        ),
-        [_draw(molecules, proteins, random, out)],
+        as_text(tables),
+        [_draw(small, large, every, out)],
     )
 
 
@@ -68,7 +69,7 @@ def _rings(facts: pliant.GraphFacts) -> float:
 def _verdict(
     molecules: list[pliant.GraphFacts],
     proteins: list[pliant.GraphFacts],
-    random: list[pliant.Framework],
+    random: list[pliant.GraphFacts],
 ) -> str:
     parts = []
     if molecules:
@@ -89,8 +90,7 @@ def _verdict(
             f"{100 * np.median([_share(f) for f in proteins]):.0f} % of its bonds on cycles"
         )
     words = "; ".join(parts or ["no molecule could be made or read here"])
-    own = [framework.graph_facts() for framework in random]
-    cyclic = [_share(f) for f in own if f.cycles]
+    cyclic = [_share(f) for f in random if f.cycles]
     return (
         words[:1].upper()
         + words[1:]
@@ -126,7 +126,7 @@ def _class_table(facts: list[pliant.GraphFacts]) -> Table:
         own = [f for f in facts if low <= f.cycles <= high]
         if own:
             mean, share = np.mean([f.bars for f in own]), np.mean([_share(f) for f in own])
-            table.rows.append([name, len(own), digits(float(mean)), f"{100 * share:.0f} %"])
+            table.rows.append([name, len(own), number(float(mean)), f"{100 * share:.0f} %"])
     return table
 
 
@@ -141,40 +141,32 @@ def _specimen_table(molecules: list[Specimen], proteins: list[Specimen]) -> Tabl
     return table
 
 
-def _random_table(seed: int, quick: bool) -> Table:
+def _random_table(random: dict[str, list[pliant.GraphFacts]]) -> Table:
     table = Table(
         "The thesis' classes, as the default experiment makes them: means.",
         ["class", "bars", "cycles", "blocks", "bars on cycles"],
     )
-    for kind in CLASSES:
-        facts = [
-            pliant.generate(kind, seed, k).framework.graph_facts()
-            for k in range(3 if quick else 20)
-        ]
-        table.rows.append(
-            [
-                kind,
-                digits(float(np.mean([f.bars for f in facts]))),
-                digits(float(np.mean([f.cycles for f in facts]))),
-                digits(float(np.mean([f.blocks for f in facts]))),
-                f"{100 * np.mean([_share(f) for f in facts]):.0f} %",
-            ]
-        )
+    for kind, facts in random.items():
+        sizes = np.mean([(f.bars, f.cycles, f.blocks) for f in facts], axis=0)
+        share = f"{100 * np.mean([_share(f) for f in facts]):.0f} %"
+        table.rows.append([kind, *map(number, sizes), share])
     return table
 
 
 def _draw(
-    molecules: list[Specimen], proteins: list[Specimen], random: list[pliant.Framework], out: Path
+    molecules: list[pliant.GraphFacts],
+    proteins: list[pliant.GraphFacts],
+    random: list[pliant.GraphFacts],
+    out: Path,
 ) -> Figure:
     groups = (
         ("thesis' random graphs", random, plotting.GREY, "o"),
-        ("small molecules", [m.framework for m in molecules], plotting.BLUE, "^"),
-        ("proteins, peptides", [p.framework for p in proteins], plotting.VERMILION, "s"),
+        ("small molecules", molecules, plotting.BLUE, "^"),
+        ("proteins, peptides", proteins, plotting.VERMILION, "s"),
     )
     with plotting.figure(1, 2, panel=(4.8, 3.7)) as (plot, axes):
         left, right = axes[0]
-        for name, frameworks, color, marker in groups:
-            facts = [framework.graph_facts() for framework in frameworks]
+        for name, facts, color, marker in groups:
             look = {"s": 22, "color": color, "marker": marker, "alpha": 0.65, "linewidths": 0}
             bars = [f.bars for f in facts]
             left.scatter(bars, [f.cycles for f in facts], label=name, **look)

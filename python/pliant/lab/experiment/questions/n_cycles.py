@@ -8,22 +8,12 @@ from pathlib import Path
 import numpy as np
 
 from pliant.base import plotting
-from pliant.lab.experiment.answer import Answer, Figure, Table
-from pliant.lab.experiment.trials import (
-    LIMIT,
-    Work,
-    as_text,
-    digits,
-    label,
-    mean_interval,
-    pushed_graphs,
-    replicates,
-    with_interval,
-    work_of,
-)
+from pliant.lab.experiment.document import Answer, Figure, Table, as_text
+from pliant.lab.experiment.settings import label
+from pliant.lab.experiment.statistics import number, with_interval
+from pliant.lab.experiment.trials import LIMIT, Work, mean_interval, pushed_graphs, work_of
 
 TITLE = "What about more than two cycles?"
-ORDER = 4
 
 JOINTS = 60
 TECHNIQUES = (
@@ -74,14 +64,14 @@ def _verdict(found: Results, cycles: tuple[int, ...]) -> str:
         f"From {few} to {many} independent cycles on {JOINTS} joints the work of bfs_cycle grows "
         f"{half} times at weighting 0.5 and {one} times at weighting 1, where {lost:.1f} % of the "
         f"pushes then meet the limit of {LIMIT} sweeps. At {many} the best of the thesis' five "
-        f"shown, {label(best)}, takes {digits(_mean(found, many, best) / ours)} times the work of "
-        f"blocks, and bfs_reverse 0.5 takes {digits(reverse)} times that of the best."
+        f"shown, {label(best)}, takes {number(_mean(found, many, best) / ours)} times the work of "
+        f"blocks, and bfs_reverse 0.5 takes {number(reverse)} times that of the best."
     )
 
 
 def _growth(found: Results, few: int, many: int, weighting: float) -> str:
     combination = ("bfs_cycle", weighting)
-    return digits(_mean(found, many, combination) / _mean(found, few, combination))
+    return number(_mean(found, many, combination) / _mean(found, few, combination))
 
 
 def _paragraphs() -> list[str]:
@@ -103,7 +93,7 @@ def _table(found: Results, shares: dict[int, float], seed: int) -> Table:
         row: list[str | int | float] = [n, f"{100 * share:.0f} %"]
         for combination in TECHNIQUES:
             work = found[n, combination]
-            mean = mean_interval(work.projections, replicates(work.graphs, seed))
+            mean = mean_interval(work, seed)
             lost = f" + {100 * np.mean(~work.converged):.0f} %" if work.failures else ""
             row.append(with_interval(mean) + lost)
         table.rows.append(row)
@@ -115,9 +105,7 @@ def _draw(found: Results, cycles: tuple[int, ...], seed: int, out: Path) -> Figu
         left, right = axes[0]
         for combination, color, marker in zip(TECHNIQUES, COLORS, MARKERS, strict=True):
             works = [found[n, combination] for n in cycles]
-            means = np.array(
-                [mean_interval(w.projections, replicates(w.graphs, seed)) for w in works]
-            )
+            means = np.array([mean_interval(work, seed) for work in works])
             look = {"color": color, "marker": marker, "markersize": 4}
             left.plot(cycles, means[:, 0], label=label(combination), **look)
             left.fill_between(

@@ -9,21 +9,12 @@ import numpy as np
 
 from pliant.base import plotting
 from pliant.checks.weightings import WEIGHTINGS
-from pliant.lab.experiment.answer import Answer, Figure, Table
-from pliant.lab.experiment.trials import (
-    Trial,
-    Work,
-    as_text,
-    label,
-    pushed_graphs,
-    ratio_interval,
-    replicates,
-    with_interval,
-    work_of,
-)
+from pliant.lab.experiment.document import Answer, Figure, Table, as_text
+from pliant.lab.experiment.settings import label
+from pliant.lab.experiment.statistics import with_interval
+from pliant.lab.experiment.trials import Trial, Work, pushed_graphs, ratio_interval, work_of
 
 TITLE = "Does adapting the root help?"
-ORDER = 2
 
 NONE = "bfs_cycle"
 ADAPTIONS = {"bfs_adapt": "worst non-tree bar", "bfs_random": "random joint"}
@@ -48,7 +39,7 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
             for weighting in WEIGHTINGS:
                 for name, length in TOLERANCES.items():
                     found[family, technique, weighting, name] = work_of(
-                        own, technique, weighting, length=length
+                        own, technique, weighting, length
                     )
     table, drawing = as_text([_table(found, seed)]), _draw(found, seed, out)
     return Answer(TITLE, _verdict(found), _paragraphs(), table, [drawing])
@@ -72,8 +63,7 @@ def _ratio(
     found: Results, key: tuple[str, str, float, str], seed: int
 ) -> tuple[float, float, float]:
     family, _, weighting, tolerance = key
-    plain = found[family, NONE, weighting, tolerance]
-    return ratio_interval(found[key].projections, plain.projections, replicates(plain.graphs, seed))
+    return ratio_interval(found[key], found[family, NONE, weighting, tolerance], seed)
 
 
 def _range(found: Results, technique: str, weighting: float) -> str:

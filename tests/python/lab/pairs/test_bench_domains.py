@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 
 from pliant.lab.bench.command import main  # noqa: E402
-from pliant.lab.domains.agreement import agreement, contradicted, found  # noqa: E402
-from pliant.lab.domains.pair_domains import pair_domains, ratio  # noqa: E402
+from pliant.lab.pairs.agreement import agreement, contradicted, found  # noqa: E402
+from pliant.lab.pairs.pair_domains import pair_domains, ratio  # noqa: E402
 
 
 def backbones():

@@ -19,7 +19,7 @@ import numpy as np
 
 import pliant
 from pliant._core import InputError
-from pliant.lab.validity.references import read_quietly
+from pliant.lab.structures import read_quietly
 from pliant.measure import agreement
 
 BACKBONE = ("N", "CA", "C", "O")

@@ -4,22 +4,21 @@
 from __future__ import annotations
 
 import math
-import warnings
-from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from dataclasses import asdict, dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-import pliant
-from pliant._core import Error, Structure
-from pliant.lab.coverage.directions import DOMAIN, Direction, Judge, directions_of
-from pliant.lab.coverage.ensembles import Subject
-from pliant.lab.domains.agreement import agreement, contradicted, found
-from pliant.lab.domains.pair_domains import pair_domains
-from pliant.lab.validity.alpha_carbons import trace_of
+from pliant._core import Error, MolecularModel
+from pliant.lab.pairs.agreement import agreement, contradicted, found
+from pliant.lab.pairs.directions import DOMAIN, Direction, Judge, directions_of
+from pliant.lab.pairs.ensembles import sampled
+from pliant.lab.pairs.pair_domains import pair_domains
+from pliant.lab.pool import each_done
+from pliant.lab.results import Cell, Results, print_table
+from pliant.lab.structures import protein_model, trace_of
 from pliant.measure.domains import Domains, find_domains
 from pliant.measure.stages.biology import MOST_DOMAIN_SITES
 from pliant.trajectory.superposition import superpose_all
@@ -45,16 +44,47 @@ class Row:
         return 2 * sum(number > 1 for number in self.numbers) > len(self.numbers)
 
 
+COLUMNS: dict[str, Cell] = {
+    "protein": "protein",
+    "structure": "structure",
+    "residues": "residues",
+    "domains by seed": lambda row: " ".join(map(str, row.numbers)),
+    "contradicted": "contradicted",
+    "of the pair": "pair",
+    "found by seeds": lambda row: " ".join(map(str, row.found)),
+    "agreement": "agreement:.2f",
+    "worst": "worst:.2f",
+}
+
+
 @dataclass
-class Table:
+class Table(Results):
     """All structures."""
 
     rows: list[Row] = field(default_factory=list)
     skipped: list[str] = field(default_factory=list)  #: structures that could not be measured, why
 
-    def as_json(self) -> dict[str, Any]:
-        """For --json."""
-        return asdict(self)
+    def print_report(self) -> None:
+        """A line a structure, and what they say together."""
+        print(
+            "domains by seed: how many are reported, 1 for one piece, 0 for none that repeat;\n"
+            "contradicted: pairs of residues, in one domain by one seed and in two by another;\n"
+            "agreement: share of the residues reported that are in the matching domain of the pair"
+        )
+        print_table(self.rows, COLUMNS)
+        if self.rows:
+            print(_together(self.rows))
+        for line in self.skipped:
+            print(f"not measured: {line}")
+
+
+def _together(rows: list[Row]) -> str:
+    proteins = {row.protein for row in rows if row.pair}
+    shown = {row.protein for row in rows if row.pair and row.is_shown}
+    agreed = [row.agreement for row in rows if math.isfinite(row.agreement)]
+    mean = f"; mean agreement {np.mean(agreed):.3f}" if agreed else ""
+    pairs = sum(row.contradicted for row in rows)
+    return f"shown for {len(shown)} of {len(proteins)} proteins{mean}; {pairs} pairs contradicted"
 
 
 def domains(
@@ -64,7 +94,7 @@ def domains(
     also: Sequence[str] = (),
     *,
     processes: int = 1,
-    progress: Callable[[int, int], object] | None = None,
+    progress: Callable[[int, int], object] = lambda *_: None,
 ) -> Table:
     """Both structures of each pair of domain motions in a folder, and some structures alone.
 
@@ -73,22 +103,15 @@ def domains(
     pairs = [one for one in directions_of(Path(folder)) if one.kind == DOMAIN]
     alone = [Direction(Path(path).stem, Path(path), Path(path)) for path in also]
     every, table = [*pairs, *alone], Table()
-    for done, part in enumerate(_each(every, seeds, frames, processes), start=1):
+    work = partial(_of_one, seeds, frames)
+    for done, part in enumerate(each_done(work, every, processes), start=1):
         table.rows += part.rows
         table.skipped += part.skipped
-        if progress:
-            progress(done, len(every))
+        progress(done, len(every))
     return table
 
 
-def _each(every: list[Direction], seeds: int, frames: int, processes: int) -> Iterable[Table]:
-    if processes == 1:
-        return (_of_one(one, seeds, frames) for one in every)
-    pool = ProcessPoolExecutor(processes)
-    return pool.map(_of_one, every, [seeds] * len(every), [frames] * len(every))
-
-
-def _of_one(direction: Direction, seeds: int, frames: int) -> Table:
+def _of_one(seeds: int, frames: int, direction: Direction) -> Table:
     """One structure, or the reason why it could not be measured."""
     try:
         return Table([_row(direction, seeds, frames)])
@@ -97,7 +120,7 @@ def _of_one(direction: Direction, seeds: int, frames: int) -> Table:
 
 
 def _row(direction: Direction, seeds: int, frames: int) -> Row:
-    model = Subject.of(direction.start).model
+    model = protein_model(direction.start)
     trace = trace_of(model.structure).atoms
     reported = [_domains(model, trace, frames, seed) for seed in range(seeds)]
     row = Row(
@@ -110,24 +133,17 @@ def _row(direction: Direction, seeds: int, frames: int) -> Row:
     return row if direction.start == direction.goal else _compared(row, direction, model, reported)
 
 
-def _domains(model: pliant.MolecularModel, trace: np.ndarray, frames: int, seed: int) -> np.ndarray:
+def _domains(model: MolecularModel, trace: np.ndarray, frames: int, seed: int) -> np.ndarray:
     """(n,) domain of each residue, as pliant analyse reports it."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", pliant.PliantWarning)
-        made = pliant.sample(model, frames, sampler="modes", seed=seed)
-    positions = superpose_all(np.asarray(made.positions)[:, trace])
+    positions = superpose_all(sampled(model, frames, seed)[:, trace])
     stride = -(-len(trace) // MOST_DOMAIN_SITES)
-    chains = _chains(model.structure, trace)
+    chains = np.unique(np.asarray(model.structure.chains)[trace], return_inverse=True)[1]
     found: Domains = find_domains(positions[:, ::stride], chains[::stride])
     return np.repeat(found.domain, stride)[: len(trace)]
 
 
-def _chains(structure: Structure, trace: np.ndarray) -> np.ndarray:
-    return np.asarray(np.unique(np.asarray(structure.chains)[trace], return_inverse=True)[1])
-
-
 def _compared(
-    row: Row, direction: Direction, model: pliant.MolecularModel, reported: list[np.ndarray]
+    row: Row, direction: Direction, model: MolecularModel, reported: list[np.ndarray]
 ) -> Row:
     """The row with what the known pair says of residues that both structures have."""
     judge = Judge(direction, model.structure)
@@ -138,14 +154,10 @@ def _compared(
     shared = [places[int(atom)] for atom in judge.atoms[:, 1]]
     parts = [one[shared] for one in reported]
     agreed = [agreement(one, known) for one in parts if one.max() > 0] or [math.nan]
-    return Row(
-        row.protein,
-        row.structure,
-        row.residues,
-        row.numbers,
-        row.contradicted,
-        int(known.max()) + 1,
-        float(np.mean(agreed)),
-        min(agreed),
-        np.sum([found(one, known) for one in parts], axis=0).tolist(),
+    return replace(
+        row,
+        pair=int(known.max()) + 1,
+        agreement=float(np.mean(agreed)),
+        worst=min(agreed),
+        found=np.sum([found(one, known) for one in parts], axis=0).tolist(),
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a frame of `pliant sample` costs, and that broken frames are named."""
+"""Conformers a second, what a frame of `pliant sample` costs; what is broken is named."""
 
 import json
 import math
@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from pliant.lab.bench import frames as costs
 from pliant.lab.bench.command import main
+from pliant.lab.bench.throughput import throughput
 
 import pliant
 
-PEPTIDE = "data/molecules/peptide_20.pdb"
+CAFFEINE, PEPTIDE = "data/molecules/caffeine.sdf", "data/molecules/peptide_20.pdb"
 
 
 def test_frames_with_polar_and_all_hydrogens():
@@ -51,13 +52,11 @@ def test_broken_frames_are_named(monkeypatch):
             self.positions = np.stack([x] * frames)
 
     monkeypatch.setattr(pliant, "sample", Broken)
-    found = costs.frame_costs([PEPTIDE], hydrogens=("all",), frames=2, rounds=1)
-    assert found.faults and found.faults[0].startswith("peptide_20.pdb, all: a bar is off by ")
+    found = costs.frame_costs([PEPTIDE], frames=2, rounds=1)
+    assert found.faults and found.faults[0].startswith("peptide_20.pdb, polar: a bar is off by ")
 
 
 def test_wrong_options_are_refused():
-    with pytest.raises(pliant.OptionError, match="hydrogens some: must be polar or all"):
-        costs.frame_costs([PEPTIDE], hydrogens=("some",))
     with pytest.raises(pliant.OptionError, match="sampler none: must be one of"):
         costs.frame_costs([PEPTIDE], sampler="none")
 
@@ -72,3 +71,40 @@ def test_the_command(capsys):
     assert "ms a frame" in capsys.readouterr().out
     assert main(["throughput", PEPTIDE, PEPTIDE]) == 2
     assert "several files need --frames" in capsys.readouterr().err
+
+
+def test_throughput_is_whole_and_the_same_in_lanes_and_on_two_threads():
+    found = throughput(CAFFEINE, conformers=5, repeats=1, techniques=("blocks", "random"))
+    best = pliant.lane_levels()[0]
+    assert [(row.technique, row.lanes, row.threads) for row in found.rows] == [
+        ("blocks", "", 1),
+        ("blocks", "", 2),
+        ("blocks", best, 1),
+        ("blocks", best, 2),
+        ("random", "", 1),
+        ("random", "", 2),
+    ]
+    assert all(row.same_bits and row.whole == row.conformers for row in found.rows)
+    assert [row.conformers for row in found.rows] == [5, 10] * 3
+
+
+def test_throughput_says_what_is_wrong():
+    found = throughput(CAFFEINE, conformers=2, repeats=1, techniques=("blocks",), threads=(1,))
+    assert found.faults == []
+    found.rows[0].whole = 1
+    found.rows[1].same_bits = False
+    assert found.faults == [
+        "blocks one by one, 1 threads: 1 of 2 whole",
+        f"blocks {pliant.lane_levels()[0]}, 1 threads: 2 of 2 whole, with other bits than alone",
+    ]
+
+
+def test_throughput_by_the_command(capsys, tmp_path):
+    words = ["throughput", CAFFEINE, "--csv", str(tmp_path / "a.csv")]
+    words += "--repeats 1 --technique blocks".split()
+    assert main([*words, "--json"]) == 0
+    printed = json.loads(capsys.readouterr().out)
+    assert len(printed["rows"]) == 4
+    assert len((tmp_path / "a.csv").read_text().splitlines()) == 5
+    assert main(words) == 0
+    assert "conformers per second" in capsys.readouterr().out

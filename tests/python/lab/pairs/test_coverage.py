@@ -14,10 +14,10 @@ rms = pytest.importorskip("MDAnalysis.analysis.rms")
 pytest.importorskip("scipy")
 
 from pliant.lab.bench.command import main  # noqa: E402
-from pliant.lab.coverage import measure  # noqa: E402
-from pliant.lab.coverage.directions import DOMAIN, POCKET, Judge, directions_of  # noqa: E402
-from pliant.lab.coverage.rows import Nearest  # noqa: E402
-from pliant.lab.validity.references import read_quietly  # noqa: E402
+from pliant.lab.pairs import coverage as measure  # noqa: E402
+from pliant.lab.pairs.coverage import Nearest  # noqa: E402
+from pliant.lab.pairs.directions import DOMAIN, POCKET, Judge, directions_of  # noqa: E402
+from pliant.lab.structures import read_quietly  # noqa: E402
 
 BACKBONE = "name N CA C O and not resid 214"  # whose oxygens have names of their own
 
@@ -108,10 +108,9 @@ def nearest(protein, at_start, distance):
     )
 
 
-def test_shares_are_counted_over_directions_and_by_distance(monkeypatch):
+def test_shares_are_counted_over_directions_and_by_distance():
     rows = [nearest("a", 4, 1), nearest("a", 6, 4), nearest("b", 10, 2.9), nearest("b", 10, 9)]
-    modes = next(one for one in measure.ENSEMBLES if one.name == "modes")
-    shares = measure._shares(rows, DOMAIN, modes, 10)
+    shares = measure._shares(rows, DOMAIN, "modes", 10)
     assert [(s.of_distance, s.directions, s.covered) for s in shares] == [
         ("all", 4, 0.5), ("0-5", 1, 1.0), ("5-8", 1, 0.0), ("8 on", 2, 0.5)]  # fmt: skip  # a table
     assert shares[0].nearest == pytest.approx(np.mean([1, 4, 2.9, 9]))
@@ -134,13 +133,10 @@ def test_the_command_measures_draws_and_writes(pairs, tmp_path, capsys):
     assert picture.stat().st_size > 10_000
 
 
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (("--only", "magic"), "--only magic: must be one of reach, turns, modes"),
-        (("--frames", "many"), "--frames many: must be whole numbers from 1"),
-    ],
-)
-def test_what_does_not_exist_is_refused(pairs, words, message, capsys):
-    assert main(["coverage", "--data", str(pairs), *words]) == 2
-    assert message in capsys.readouterr().err
+def test_what_does_not_exist_is_refused(pairs, capsys):
+    assert main(["coverage", "--data", str(pairs), "--only", "magic"]) == 2
+    assert "--only magic: must be one of reach, turns, modes" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        main(["coverage", "--data", str(pairs), "--frames", "many"])
+    expected = "--frames: expected whole numbers from 1 between commas, found 'many'"
+    assert expected in capsys.readouterr().err

@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Alpha carbons of a structure."""
+"""Proteins of files, without warnings: the part that is amino acids, alpha carbons, models."""
 
 from __future__ import annotations
 
+import contextlib
+import os
+import warnings
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from pliant._core import InputError, Structure
+import pliant
+from pliant._core import InputError, MolecularModel, Structure
 from pliant.measure.sequence import LETTERS, UNKNOWN
 
 
@@ -18,6 +24,38 @@ class Trace:
     atoms: np.ndarray  #: (R,) indices into the structure
     sequence: str  #: R letters, X for what is no amino acid of the table
     positions: np.ndarray  #: (R, 3) Angstrom
+
+    def owners(self, structure: Structure) -> np.ndarray:
+        """(N,) to which of the R residues each atom belongs, where all have an alpha carbon."""
+        residues = np.asarray(structure.residue_of)
+        places = {int(residues[atom]): k for k, atom in enumerate(self.atoms)}
+        return np.array([places[int(residue)] for residue in residues])
+
+
+@contextlib.contextmanager
+def quiet() -> Iterator[None]:
+    """Without warnings of columns, alternates, links, chain breaks and missing hydrogens."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pliant.PliantWarning)
+        yield
+
+
+def read_quietly(path: str | os.PathLike[str], model: int = 1) -> Structure:
+    """A model of a file."""
+    with quiet():
+        return pliant.read(path, model)
+
+
+def protein_model(
+    path: str | os.PathLike[str], *, polar_hydrogens: bool = False, chain: str = "", **options: Any
+) -> MolecularModel:
+    """Of the residues of a file, or of one chain, that are amino acids.
+
+    Raises as `amino_part`, `chain_part` and ``build_model`` do.
+    """
+    part = chain_part(amino_part(read_quietly(path)), chain)
+    with quiet():
+        return pliant.build_model(heavy_part(part) if polar_hydrogens else part, **options)
 
 
 def trace_of(structure: Structure) -> Trace:

