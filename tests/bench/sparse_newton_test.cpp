@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The peer of the race with angles is what it is said to be: all bars of its own at their lengths,
 // corrections along the directions before the push, divided by mass, and steps that square errors.
-#include "bench/sparse_newton.hpp"
-
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
-#include <cmath>
 
+#include "bench/sparse_newton.hpp"
 #include "pliant/base/random.hpp"
+#include "support/test.hpp"
 
 namespace pliant::bench {
 namespace {

@@ -3,7 +3,6 @@
 #include "support/source_folder.hpp"
 
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace pliant {
@@ -28,11 +27,6 @@ std::vector<CorpusCase> corpus_cases(const std::string& folder) {
     }
   }
   return cases;
-}
-
-std::string file_bytes(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace pliant

@@ -21,11 +21,7 @@ inline const char* const corpus_folders[] = {"pdb", "xyz", "sdf", "mmcif"};
 std::filesystem::path corpus_folder(const std::string& name);
 
 /// All sections of tests/corpus/FOLDER/expected.txt. There, "== FILE [model N]" begins a section
-/// and
-/// "# ..." says why the reading is right.
+/// and "# ..." says why the reading is right.
 std::vector<CorpusCase> corpus_cases(const std::string& folder);
-
-/// All of a file, byte by byte.
-std::string file_bytes(const std::filesystem::path& path);
 
 }  // namespace pliant

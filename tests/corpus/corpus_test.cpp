@@ -2,13 +2,8 @@
 // Every file of the corpus is read (or refused) exactly as its expected.txt says: each atom, bond,
 // note, warning and error.
 #include "corpus/corpus.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-
 #include "corpus/structure_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::corpus_test {
 
@@ -29,10 +24,8 @@ class Corpus : public testing::TestWithParam<CorpusCase> {};
 
 TEST_P(Corpus, IsReadAsExpected) {
   const CorpusCase& given = GetParam();
-  const std::string bytes = file_bytes(corpus_folder(given.folder) / given.file);
-  ReadOptions options;
-  options.model = given.model;
-  EXPECT_EQ(reading_as_text({given.file, bytes}, options), given.expected);
+  const std::string bytes = test::content_of(corpus_folder(given.folder) / given.file);
+  EXPECT_EQ(reading_as_text({given.file, bytes}, {.model = given.model}), given.expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Corpus, testing::ValuesIn(all_cases()), name_of);

@@ -2,13 +2,9 @@
 // Graphs, orderings, forces, bars and results of the corpus are read or refused as expected.txt
 // beside them says; so is every beginning of each, and each with a byte left out, doubled or
 // changed, without a crash or a raw byte in a message.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-
 #include "corpus/corpus.hpp"
 #include "corpus/laboratory_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant {
 
@@ -23,14 +19,14 @@ class LaboratoryCorpus : public testing::TestWithParam<LaboratoryFile> {
   static void each_file(Look look) {
     for (const auto& entry : std::filesystem::directory_iterator(corpus_folder(GetParam().folder)))
       if (entry.path().filename() != "expected.txt")
-        look(entry.path().filename().string(), file_bytes(entry.path()));
+        look(entry.path().filename().string(), test::content_of(entry.path()));
   }
 };
 
 TEST_P(LaboratoryCorpus, IsReadAsExpected) {
   std::set<std::string> sections;
   for (const CorpusCase& given : corpus_cases(GetParam().folder)) {
-    const std::string bytes = file_bytes(corpus_folder(given.folder) / given.file);
+    const std::string bytes = test::content_of(corpus_folder(given.folder) / given.file);
     EXPECT_EQ(GetParam().read({given.file, bytes}), given.expected) << given.file;
     EXPECT_NE(given.expected, "") << given.file;
     sections.insert(given.file);

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every beginning of each corpus file, and the file with one byte left out, doubled or changed, is
 // read or refused: no crash, no number that is not finite, no bond to nowhere, no raw byte printed.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-
 #include "corpus/corpus.hpp"
-#include "pliant/base/error.hpp"
 #include "pliant/molecule/read/read.hpp"
+#include "support/test.hpp"
 
 namespace pliant::mutation_test {
 
@@ -22,13 +17,14 @@ constexpr std::size_t bytes_changed = 1500;
 class Mutation : public testing::TestWithParam<const char*> {
  protected:
   void read(const std::string& text) {
-    ReadOptions options;
-    options.format = GetParam();
-    options.log.function = [](Severity, std::string_view message) {
-      ASSERT_TRUE(is_printable(message)) << message;
-    };
     try {
-      check(read_structure(SourceText{"mutated", text}, options), text);
+      check(read_structure(SourceText{"mutated", text},
+                           {.format = GetParam(),
+                            .log = {.function =
+                                        [](Severity, std::string_view message) {
+                                          ASSERT_TRUE(is_printable(message)) << message;
+                                        }}}),
+            text);
     } catch (const Error& error) {
       ASSERT_TRUE(is_printable(error.what())) << error.what();
     }
@@ -82,7 +78,7 @@ TEST_P(Mutation, IsReadOrRefused) {
   for (const auto& entry : std::filesystem::directory_iterator(corpus_folder(GetParam()))) {
     if (entry.path().filename() == "expected.txt") continue;
     SCOPED_TRACE(entry.path().filename().string());
-    read_mutations(file_bytes(entry.path()));
+    read_mutations(test::content_of(entry.path()));
   }
   EXPECT_GT(readings_, 10000u);
 }

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The orderings that the thesis "Motion Simulation of Geometric Constraint Structures" prints.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/order/ordering.hpp"
 #include "pliant/order/ordering_file.hpp"
+#include "support/test.hpp"
 
 namespace pliant::orderings_test {
 

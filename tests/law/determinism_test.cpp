@@ -17,14 +17,13 @@ std::uint64_t hash_of_run(const Sketch& sketch, std::string_view perturbation,
                           const Technique& technique, std::uint64_t hash) {
   const Framework framework = test::with_masses(framework_of(sketch));
   State state(sketch.positions);
-  RunOptions options;
-  options.technique = technique;
-  options.steps = 200;
-  options.perturb = perturbation;
-  options.perturb_options.timestep = 0.02;
-  options.resolve.seed = 20240229;
-  options.resolve.max_sweeps = 40;
-  const RunSummary summary = run(framework, state, options, {[&](const Frame& frame) {
+  const RunSummary summary = run(framework, state,
+                                 {.technique = technique,
+                                  .resolve = {.max_sweeps = 40, .seed = 20240229},
+                                  .perturb = std::string(perturbation),
+                                  .perturb_options = {.timestep = 0.02},
+                                  .steps = 200},
+                                 {[&](const Frame& frame) {
                                    hash = test::hash_of(frame.positions, hash);
                                    return false;
                                  }});

@@ -2,10 +2,7 @@
 // What is known of frameworks at and beyond the edge of what can be: where an infeasible framework
 // comes to rest, and what a singular one still reaches; and laws on frameworks that nobody thought
 // of.
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
 
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/measures/residual.hpp"
@@ -15,15 +12,15 @@
 #include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
 #include "support/random_frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::impossible_law_test {
 
 /// Signed length errors after very many sweeps.
 std::vector<double> errors_at_rest(const Example& example, std::int64_t sweeps = 20000) {
   std::vector<Vec3> x = example.positions;
-  ResolveOptions options;
-  options.max_sweeps = sweeps;
-  const ResolveSummary summary = resolve(example.framework, {"input", 0.5}, x, options);
+  const ResolveSummary summary =
+      resolve(example.framework, {"input", 0.5}, x, {.max_sweeps = sweeps});
   EXPECT_EQ(summary.stop, Stop::max_sweeps);
   std::vector<double> errors;
   for (std::size_t k = 0; k < example.framework.bar_count(); ++k) {
@@ -78,9 +75,9 @@ TEST(Impossible, TautFrameworksComeNear) {
     const Example& example = find_example(name);
     SCOPED_TRACE(name);
     std::vector<Vec3> x = example.positions;
-    ResolveOptions options;
-    options.tolerance.relative = 1e-3;
-    EXPECT_TRUE(resolve(example.framework, {"bfs_reverse", 0.5}, x, options).converged());
+    EXPECT_TRUE(
+        resolve(example.framework, {"bfs_reverse", 0.5}, x, {.tolerance = {.relative = 1e-3}})
+            .converged());
   }
 }
 
@@ -89,9 +86,8 @@ TEST(Impossible, TautFrameworksComeNear) {
 TEST(Impossible, TheTautChainIsStraight) {
   const Example& example = find_example("pinned_ends_taut_10");
   std::vector<Vec3> x = example.positions;
-  ResolveOptions options;
-  options.tolerance.relative = 5e-4;
-  ASSERT_TRUE(resolve(example.framework, {"input", 0.5}, x, options).converged());
+  ASSERT_TRUE(
+      resolve(example.framework, {"input", 0.5}, x, {.tolerance = {.relative = 5e-4}}).converged());
   for (std::size_t k = 0; k <= 10; ++k) EXPECT_LT(distance(x[k], {double(k), 0, 0}), 0.16);
 }
 
@@ -129,9 +125,8 @@ RC_GTEST_PROP(AnyFrameworkLaw, TheSummaryIsTrueAndTheSameTwice, ()) {
   const test::AnyFramework any = test::any_framework(10, 30);
   const Technique technique = any_technique(any.framework);
   RC_LOG() << technique.name << " " << technique.weighting << "\n";
-  ResolveOptions options;
-  options.max_sweeps = *rc::gen::inRange(1, 100);
-  options.tolerance.relative = 1e-4;
+  const ResolveOptions options{.tolerance = {.relative = 1e-4},
+                               .max_sweeps = *rc::gen::inRange(1, 100)};
   const auto root = static_cast<Joint>(*rc::gen::inRange(0, int(any.positions.size())));
   std::vector<Vec3> x = any.positions, y = any.positions;
   const ResolveSummary summary = resolve(any.framework, technique, x, options, root);
@@ -169,8 +164,7 @@ RC_GTEST_PROP(AnyFrameworkLaw, SmallBreaksOfForestsAreMendedNearby, ()) {
   test::AnyFramework any = test::any_framework(12, 6);
   RC_PRE(graph_facts(any.framework).is_forest() && !any.framework.has_pinned_joints());
   std::vector<Vec3> x = any.positions;
-  ResolveOptions options;
-  options.tolerance.relative = 1e-12;
+  const ResolveOptions options{.tolerance = {.relative = 1e-12}};
   const Technique tree{"dfs_tree", 1.0};
   RC_ASSERT(resolve(any.framework, tree, x, options).converged());
   const std::vector<Vec3> whole = x;

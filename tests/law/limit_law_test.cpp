@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What must hold of limits and sterics for every technique that knows them.
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "law/technique_cases.hpp"
-#include "pliant/base/error.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/sweeps/limit_sweep.hpp"
 #include "pliant/resolve/walkers.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::limit_law_test {
 
@@ -65,16 +60,10 @@ void expect_all_held(const Framework& framework, std::span<const Vec3> x) {
 
 /// Chains that fold back onto each other: bars and overlaps together.
 Framework crowded_chains(double least) {
-  FrameworkParts parts;
-  parts.joint_count = 60;
+  FrameworkParts parts{.joint_count = 60};
   for (Joint k = 0; k + 1 < 60; ++k)
     if (k % 10 != 9) parts.bars.push_back({k, k + 1}), parts.rest_lengths.push_back(1.0);
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 1;
-  sterics->kinds.assign(60, 0);
-  sterics->least = {least};
-  sterics->excluded_bonds = 2;
-  parts.sterics = std::move(sterics);
+  parts.sterics = test::spheres(60, least, 2);
   parts.limits = {{.a = 0, .b = 19, .least = 2.0, .most = 8.0}};
   return Framework(std::move(parts));
 }
@@ -129,8 +118,7 @@ TEST_P(LimitLaw, ALimitWithinItsIntervalIsAsNone) {
                                  [&](const Incidence& at) { return at.joint == last; }))
       return;
     parts.limits.push_back({.a = 0, .b = last, .least = 0.0, .most = 1e6});
-    ResolveOptions options;
-    options.max_sweeps = 200;
+    const ResolveOptions options{.max_sweeps = 200};
     std::vector<Vec3> x = test::shake(framework, example.positions, 0.1), y = x;
     const ResolveSummary without = resolve(framework, technique, x, options);
     const ResolveSummary with = resolve(Framework(std::move(parts)), technique, y, options);
@@ -166,9 +154,7 @@ TEST_P(LimitLaw, PinnedJointsStay) {
     const Framework framework = test::with_pinned(example.framework, {0, 2});
     std::vector<Vec3> x = test::shake(framework, example.positions, 0.2);
     const Vec3 first = x[0], third = x[2];
-    ResolveOptions options;
-    options.max_sweeps = 500;
-    resolve(framework, technique, x, options);
+    resolve(framework, technique, x, {.max_sweeps = 500});
     EXPECT_EQ(x[0], first);
     EXPECT_EQ(x[2], third);
   });
@@ -232,9 +218,7 @@ TEST(Limits, WalkersResolveAlone) {
   const WalkerPositions walkers[] = {{0, x}, {1, y}};
   ResolveSummary summaries[2];
   resolver.resolve(walkers, summaries);
-  ResolveOptions options;
-  options.walker = 1;
-  resolve(framework, {.name = "bfs_cycle"}, alone, options);
+  resolve(framework, {.name = "bfs_cycle"}, alone, {.walker = 1});
   EXPECT_TRUE(test::same_bits(y, alone));
 }
 
@@ -244,12 +228,9 @@ RC_GTEST_PROP(NeighbourList, AreThoseOfBruteForce, ()) {
   const double size = 0.1 * *rc::gen::inRange(5, 100);
   const double skin = 0.01 * *rc::gen::inRange(1, 300);
   RandomSequence draws({seed, Domain::generate});
-  FrameworkParts parts;
-  parts.joint_count = 30;
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 2;
+  FrameworkParts parts{.joint_count = 30};
+  auto sterics = std::make_shared<Sterics>(Sterics{.kind_count = 2, .least = {1.0, 0.7, 0.7, 0.4}});
   for (std::uint16_t k = 0; k < 30; ++k) sterics->kinds.push_back(k % 2);
-  sterics->least = {1.0, 0.7, 0.7, 0.4};
   for (Joint k = 0; k + 1 < 10; ++k) parts.bars.push_back({k, k + 1});
   parts.rest_lengths.assign(9, 1.0);
   parts.sterics = std::move(sterics);
@@ -269,14 +250,7 @@ RC_GTEST_PROP(NeighbourList, AreThereHoweverManyJointsMove, ()) {
   RandomSequence draws({*rc::gen::arbitrary<std::uint64_t>(), Domain::generate});
   const std::size_t joints = *rc::gen::element<std::size_t>(20, 400);
   const double share = *rc::gen::element(0.02, 0.4, 1.0);
-  FrameworkParts parts;
-  parts.joint_count = joints;
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 1;
-  sterics->kinds.assign(joints, 0);
-  sterics->least = {0.8};
-  parts.sterics = std::move(sterics);
-  const Framework framework(std::move(parts));
+  const Framework framework({.joint_count = joints, .sterics = test::spheres(joints, 0.8)});
   std::vector<Vec3> x;
   for (std::size_t k = 0; k < joints; ++k) x.push_back(6.0 * draws.uniform() * draws.direction());
   NeighbourList contacts(framework, 0.5);

@@ -2,24 +2,17 @@
 // Laws of steps that look only at a region around a push, for rigid units with and without
 // contacts: all is whole, what is far stays to the bit, near stays near, and neither history nor
 // size changes anything.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
-
 #include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 #include "support/molecules.hpp"
+#include "support/test.hpp"
 
 namespace pliant::local_law_test {
 
-struct Molecule {
-  Framework framework;
-  std::vector<Vec3> start;
-};
+using test::Molecule;
 
 /// Spheres of 2.6 Angstrom between heavy atoms and 1.8 with hydrogens, and cables between every
 /// ninth atom and those near it: a dense net of contacts, as a model of a protein is.
@@ -27,9 +20,8 @@ Molecule molecule(const std::string& file, bool has_contacts) {
   const Structure structure = test::bonded(molecule_file(file));
   BuildOptions options{.bars = BarKind::angles};
   if (has_contacts) {
-    auto sterics = std::make_shared<Sterics>();
-    sterics->kind_count = 2;
-    sterics->least = {2.6, 1.8, 1.8, 1.6};
+    auto sterics =
+        std::make_shared<Sterics>(Sterics{.kind_count = 2, .least = {2.6, 1.8, 1.8, 1.6}});
     for (auto element : structure.atoms.elements) sterics->kinds.push_back(element == 1 ? 1 : 0);
     options.sterics = sterics;
     const Framework bare = build_framework(structure, options);
@@ -115,11 +107,8 @@ TEST(LocalLaw, BarsStayExactInLongRuns) {
   for (const char* technique : {"units", "froda"}) {
     const Molecule m = molecule("peptide_20.pdb", std::string(technique) == "froda");
     State state(m.start);
-    RunOptions options;
-    options.technique = {technique};
-    options.steps = 3000;
-    options.every = 3000;
-    const RunSummary summary = run(m.framework, state, options, {});
+    const RunSummary summary =
+        run(m.framework, state, {.technique = {technique}, .steps = 3000, .every = 3000}, {});
     EXPECT_EQ(summary.unconverged_steps, 0) << technique;
     EXPECT_LT(test::worst_bar(m.framework, state.positions), 1e-12) << technique;
     EXPECT_GT(test::largest_difference(state.positions, m.start), 0.5) << technique;

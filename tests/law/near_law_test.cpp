@@ -3,12 +3,9 @@
 // resolve of all does, to the tolerance, without touching what the push does not reach; and after
 // a push of size e no joint ends further from where the push left it than a constant times e,
 // however long the framework. The page on methods has the constants.
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "law/technique_cases.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "support/test.hpp"
 
 namespace pliant::near_law_test {
 

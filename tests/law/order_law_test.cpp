@@ -2,11 +2,6 @@
 // What every ordering promises, for every row of orderings() on every example; and what is
 // generated, written and read again is the same, for every class of graphs: the graph, every
 // ordering of it, and its forces; a run from the files is the run from memory.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <ostream>
-
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/lab/generate/random_graphs.hpp"
 #include "pliant/order/check_ordering.hpp"
@@ -17,6 +12,7 @@
 #include "pliant/record/xml/write_graph_xml.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant {
 
@@ -194,10 +190,7 @@ TEST_P(FileLaw, OrderingsAreReadBackVisitByVisit) {
 
 TEST_P(FileLaw, RunsFromFilesAreRunsFromMemory) {
   each_graph(5, [](const Pair& pair) {
-    RunOptions options;
-    options.steps = 10;
-    options.resolve.seed = 8;
-    options.technique.name = "random";
+    RunOptions options{.technique = {.name = "random"}, .resolve = {.seed = 8}, .steps = 10};
     State one(pair.made.positions), two(pair.back.positions);
     run(pair.made.framework, one, options, {});
     const ForceFile forces =

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the summary of a resolve may say, whatever the technique.
-#include <cmath>
-
 #include "law/technique_cases.hpp"
 #include "pliant/framework/measures/residual.hpp"
 #include "support/rigidity.hpp"
+#include "support/test.hpp"
 
 namespace pliant::outcome_law_test {
 
@@ -14,8 +13,7 @@ class OutcomeLaw : public test::TechniqueLaw {};
 /// nothing is left broken with sweeps to spare, and no position stops being a number.
 TEST_P(OutcomeLaw, TheSummaryIsTrue) {
   each_case([](const Example& example, const Technique& technique) {
-    ResolveOptions options;
-    options.max_sweeps = 60;
+    const ResolveOptions options{.max_sweeps = 60};
     for (double size : {test::small_break(example.framework), 2.0}) {
       std::vector<Vec3> x = test::shake(example.framework, example.positions, size);
       const ResolveSummary summary = resolve(example.framework, technique, x, options);
@@ -55,9 +53,7 @@ TEST_P(OutcomeLaw, IndependentBarsConverge) {
 TEST_P(OutcomeLaw, TheImpossibleNeverConverges) {
   each_case([](const Example& example, const Technique& technique) {
     if (example.facts.feasible) return;
-    ResolveOptions options;
-    options.max_sweeps = 500;
-    options.tolerance.relative = 1e-3;
+    const ResolveOptions options{.tolerance = {.relative = 1e-3}, .max_sweeps = 500};
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
       std::vector<Vec3> x = test::shake(example.framework, example.positions, 0.3, seed);
       const ResolveSummary summary = resolve(example.framework, technique, x, options);
@@ -85,8 +81,7 @@ TEST_P(OutcomeLaw, TheWholeIsLeftUntouched) {
 TEST_P(OutcomeLaw, TheLimitOfSweepsIsKept) {
   const Example& example = find_example("pinned_ends_too_far_12");
   for (std::int64_t limit : {1, 2, 3, 17}) {
-    ResolveOptions options;
-    options.max_sweeps = limit;
+    const ResolveOptions options{.max_sweeps = limit};
     std::vector<Vec3> x = example.positions;
     const ResolveSummary summary = resolve(example.framework, plain(), x, options);
     EXPECT_EQ(summary.stop, Stop::max_sweeps);
@@ -98,8 +93,7 @@ TEST_P(OutcomeLaw, TheLimitOfSweepsIsKept) {
 TEST_P(OutcomeLaw, TheCallerCanStopItAfterASweep) {
   const Example& example = find_example("pinned_ends_too_far_12");
   int asked = 0;
-  ResolveOptions options;
-  options.should_stop = [&] { return ++asked == 3; };
+  const ResolveOptions options{.should_stop = [&] { return ++asked == 3; }};
   std::vector<Vec3> x = example.positions;
   const ResolveSummary summary = resolve(example.framework, plain(), x, options);
   EXPECT_EQ(summary.stop, Stop::stopped_by_caller);
@@ -138,8 +132,7 @@ TEST_P(OutcomeLaw, CoincidentJointsPart) {
     SCOPED_TRACE(name);
     std::vector<std::vector<Vec3>> ends;
     for (std::uint64_t seed : {1, 1, 2}) {
-      ResolveOptions options;
-      options.seed = seed;
+      const ResolveOptions options{.seed = seed};
       std::vector<Vec3> x = example.positions;
       const ResolveSummary summary = resolve(example.framework, plain(), x, options);
       EXPECT_TRUE(summary.converged()) << summary.brief(example.framework);
@@ -159,8 +152,7 @@ TEST_P(OutcomeLaw, PinnedJointsDoNotMove) {
          {std::vector<Joint>{0}, std::vector<Joint>{last}, std::vector<Joint>{0, last}}) {
       const Framework framework = test::with_pinned(example.framework, pinned);
       std::vector<Vec3> x = test::shake(framework, example.positions, 0.1);
-      ResolveOptions options;
-      options.max_sweeps = 20;
+      const ResolveOptions options{.max_sweeps = 20};
       const std::vector<Vec3> before = x;
       resolve(framework, technique, x, options, last);
       for (Joint joint : pinned) EXPECT_EQ(x[joint], before[joint]);

@@ -2,26 +2,20 @@
 // How fast sweeps converge, where linear algebra gives the answer in closed form. Near the solution
 // a sweep acts on the errors of the bars as Gauss-Seidel on the matrix J J^T, whose entries are 2
 // on the diagonal and the cosine between bars that share a joint beside it.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
+#include "unit/resolve/gromacs_systems.hpp"
 
 namespace pliant::rate_law_test {
 
 /// Largest relative residuals after 0, 1, 2, ... sweeps of `input` with weighting 0.5.
 std::vector<double> errors_by_sweep(const Framework& framework, std::vector<Vec3> x,
                                     std::int64_t sweeps) {
-  ResolveOptions options;
-  options.max_sweeps = 1;
-  options.tolerance.relative = 1e-15;
-  Resolver resolver(framework, {"input", 0.5}, options);
+  Resolver resolver(framework, {"input", 0.5}, {.tolerance = {.relative = 1e-15}, .max_sweeps = 1});
   std::vector<double> errors{measure(framework, x).max_relative};
   for (std::int64_t k = 0; k < sweeps; ++k) errors.push_back(resolver.resolve(x).max_residual);
   return errors;
@@ -80,26 +74,18 @@ TEST(Rate, EquilateralTriangleIsAnEighth) {
   EXPECT_NEAR(mean_factor(errors, 5, 9), 0.125, 0.002);
 }
 
-/// GROMACS' test systems (constr.cpp): pushed positions, which SHAKE brings to its reference.
-/// Sweeps meet the same lengths elsewhere: they are held to lengths, centre of mass and bar
-/// direction.
-struct Pushed {
-  const char* name;
-  std::vector<Vec3> positions;
-};
-
-class PushedSystems : public testing::TestWithParam<Pushed> {};
+/// GROMACS' test systems, pushed. Sweeps meet the same lengths as SHAKE elsewhere: they are held to
+/// lengths, centre of mass and bar direction.
+class PushedSystems : public testing::TestWithParam<test::GromacsSystem> {};
 
 TEST_P(PushedSystems, MeetLengthsCentreOfMassAndDirection) {
   const Example& example = find_example(GetParam().name);
   for (const TechniqueEntry& entry : techniques()) {
     if (entry.forests_only && example.facts.cycles > 0) continue;
     SCOPED_TRACE(entry.name);
-    std::vector<Vec3> x = GetParam().positions;
-    ResolveOptions options;
-    options.tolerance.relative = 2e-5;
-    const ResolveSummary summary =
-        resolve(example.framework, {std::string(entry.name), 0.5, true}, x, options);
+    std::vector<Vec3> x = GetParam().pushed;
+    const ResolveSummary summary = resolve(example.framework, {std::string(entry.name), 0.5, true},
+                                           x, {.tolerance = {.relative = 2e-5}});
     EXPECT_TRUE(summary.converged());
     const auto rests = example.framework.rest_lengths();
     for (std::size_t k = 0; k < rests.size(); ++k) {
@@ -109,21 +95,13 @@ TEST_P(PushedSystems, MeetLengthsCentreOfMassAndDirection) {
     }
     if (!entry.has_weighting) continue;
     const Vec3 moved = test::centre_of_mass(example.framework, x) -
-                       test::centre_of_mass(example.framework, GetParam().positions);
+                       test::centre_of_mass(example.framework, GetParam().pushed);
     EXPECT_LT(norm(moved), 1e-14 * test::extent(x));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Gromacs, PushedSystems,
-    testing::Values(
-        Pushed{"gmx_one_constraint_OH", {{0.01, 0.08, 0.01}, {0.06, 0.01, -0.01}}},
-        Pushed{"gmx_two_disjoint",
-               {{2.5, -3.1, 15.7}, {0.51, -3.02, 15.55}, {-0.5, -3, 15.2}, {-1.51, -2.95, 15.05}}},
-        Pushed{"gmx_three_atoms_chain_CH2",
-               {{0.08, 0.07, 0.01}, {-0.02, 0.01, -0.02}, {0.1, 0.12, 0.11}}},
-        Pushed{"gmx_triangle", {{0.09, -0.02, 0.01}, {-0.02, 0.1, -0.02}, {0.03, -0.01, 0.07}}}),
-    [](const auto& row) { return std::string(row.param.name); });
+INSTANTIATE_TEST_SUITE_P(Gromacs, PushedSystems, testing::ValuesIn(test::gromacs_systems()),
+                         [](const auto& row) { return std::string(row.param.name); });
 
 /// Two joints, one bar: the answer in closed form, by the masses 1 and 12.
 TEST(Rate, OneBarIsExact) {
@@ -144,9 +122,8 @@ TEST(Rate, PeaucelliersProductComesBack) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::vector<Vec3> x = test::shake(example.framework, example.positions, 0.3, seed);
     for (Vec3& p : x) p.z = 0.0;
-    ResolveOptions options;
-    options.tolerance.relative = 1e-13;
-    const ResolveSummary summary = resolve(example.framework, {"bfs_reverse", 0.5}, x, options);
+    const ResolveSummary summary =
+        resolve(example.framework, {"bfs_reverse", 0.5}, x, {.tolerance = {.relative = 1e-13}});
     ASSERT_TRUE(summary.converged());
     EXPECT_NEAR(distance(x[0], x[3]) * distance(x[0], x[4]), 16.0, 1e-10);
     EXPECT_EQ(x[3].z, 0.0);

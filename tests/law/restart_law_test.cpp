@@ -3,10 +3,9 @@
 // state in a new Motion, and m steps, bit by bit, whatever the technique and the pushers, and also
 // where steps do not converge, or are cut short. So does a run that goes on from its H5MD file:
 // positions and observables are those of one run without an end between.
-#include <cstdlib>
-
 #include "law/technique_cases.hpp"
 #include "pliant/run/motion.hpp"
+#include "support/test.hpp"
 #include "unit/record/recorded_runs.hpp"
 #include "unit/record/samples.hpp"
 
@@ -20,13 +19,11 @@ using test::TempDirectory;
 class RestartLaw : public test::TechniqueLaw {
  protected:
   static MotionOptions options_of(const Framework& framework, const Names& push) {
-    MotionOptions options;
-    options.technique = plain();
-    options.resolve.max_sweeps = 25;
-    options.resolve.seed = 11;
-    options.push = push;
-    options.perturb.displacement = 0.5 * test::small_break(framework);
-    options.perturb.timestep = 0.02;
+    MotionOptions options{
+        .technique = plain(),
+        .resolve = {.max_sweeps = 25, .seed = 11},
+        .push = push,
+        .perturb = {.timestep = 0.02, .displacement = 0.5 * test::small_break(framework)}};
     const auto last = static_cast<Joint>(framework.joint_count() - 1);
     options.replay = {{0, {20, 0, 0}}, {last, {0, 9, 0}}, {last, {0, 5, 5}}, {0, {1, 1, 1}}};
     options.guide = test::guide_of(framework);
@@ -117,14 +114,11 @@ PLIANT_FOR_ALL_TECHNIQUES(RestartLaw);
 class ContinueLaw : public test::TechniqueLaw {
  protected:
   static RunOptions options_of(const Framework& framework, const std::string& perturb) {
-    RunOptions options;
-    options.technique = plain();
-    options.resolve.max_sweeps = 25;
-    options.resolve.seed = 11;
-    options.resolve.walker = 3;
-    options.perturb_options.displacement = 0.5 * test::small_break(framework);
-    options.perturb_options.timestep = 0.02;
-    options.every = 2;
+    RunOptions options{
+        .technique = plain(),
+        .resolve = {.max_sweeps = 25, .seed = 11, .walker = 3},
+        .perturb_options = {.timestep = 0.02, .displacement = 0.5 * test::small_break(framework)},
+        .every = 2};
     const auto last = static_cast<Joint>(framework.joint_count() - 1);
     if (perturb == "replay")
       options.replay = {{0, {20, 0, 0}}, {last, {0, 9, 0}}, {last, {0, 5, 5}}, {0, {1, 1, 1}},

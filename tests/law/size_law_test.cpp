@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Large frameworks on a small stack: nothing recurses over joints, and nothing is quadratic in the
 // joints of a chain, a ring, a star or a wheel, or in the bars of a complete graph.
-#include <gtest/gtest.h>
 #include <pthread.h>
 
-#include <cstdlib>
 #include <ctime>
-#include <functional>
 
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/measures/residual.hpp"
@@ -15,6 +12,7 @@
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::size_law_test {
 
@@ -87,8 +85,7 @@ TEST_P(SizeLaw, TechniquesOnASmallStack) {
     for (const TechniqueEntry& entry : techniques()) {
       if (entry.forests_only && GetParam().cycles > 0) continue;
       if (GetParam().forest_rows_only && !entry.forests_only && entry.has_weighting) continue;
-      ResolveOptions options;
-      options.max_sweeps = 2;
+      const ResolveOptions options{.max_sweeps = 2};
       std::vector<Vec3> x = broken;
       const std::clock_t start = std::clock();
       const ResolveSummary summary = resolve(framework, {std::string(entry.name), 0.5}, x, options);

@@ -14,8 +14,7 @@ TEST_P(SymmetryLaw, NoBarIsReversed) {
     if (!example.facts.whole) return;
     std::vector<Vec3> x =
         test::shake(example.framework, example.positions, test::small_break(example.framework));
-    ResolveOptions options;
-    options.max_sweeps = 200;
+    const ResolveOptions options{.max_sweeps = 200};
     if (!resolve(example.framework, technique, x, options).converged()) return;
     for (Bar bar : example.framework.bars())
       EXPECT_GT(dot(x[bar.b] - x[bar.a], example.positions[bar.b] - example.positions[bar.a]), 0.0)
@@ -31,8 +30,7 @@ TEST_P(SymmetryLaw, MassWeightingKeepsTheCentreOfMass) {
     const Framework framework = test::with_masses(example.framework);
     std::vector<Vec3> x = test::shake(framework, example.positions, 0.2);
     const Vec3 before = test::centre_of_mass(framework, x);
-    ResolveOptions options;
-    options.max_sweeps = 50;
+    const ResolveOptions options{.max_sweeps = 50};
     Technique technique = plain();
     technique.mass_weighted = true;
     resolve(framework, technique, x, options);
@@ -51,8 +49,7 @@ TEST_P(SymmetryLaw, RigidMotionsPassThrough) {
     std::vector<Vec3> x =
         test::shake(example.framework, example.positions, test::small_break(example.framework));
     std::vector<Vec3> moved = test::moved_rigidly(x);
-    ResolveOptions options;
-    options.max_sweeps = 5;
+    const ResolveOptions options{.max_sweeps = 5};
     const ResolveSummary here = resolve(example.framework, technique, x, options);
     const ResolveSummary there = resolve(example.framework, technique, moved, options);
     EXPECT_EQ(here.sweeps, there.sweeps);
@@ -70,8 +67,7 @@ TEST_P(SymmetryLaw, SwappingBarEndsChangesNothing) {
     if (example.name.starts_with("coincident") && starts_at_first_joint) return;
     std::vector<Vec3> x = test::shake(example.framework, example.positions, 0.1);
     std::vector<Vec3> y = x;
-    ResolveOptions options;
-    options.max_sweeps = 20;
+    const ResolveOptions options{.max_sweeps = 20};
     const Framework swapped = test::with_swapped_ends(example.framework);
     const ResolveSummary as_given = resolve(example.framework, technique, x, options);
     const ResolveSummary as_swapped = resolve(swapped, technique, y, options);
@@ -85,8 +81,7 @@ TEST_P(SymmetryLaw, SwappingBarEndsChangesNothing) {
 TEST_P(SymmetryLaw, SameInputSameBits) {
   each_case([](const Example& example, const Technique& technique) {
     if (example.positions.empty()) return;
-    ResolveOptions options;
-    options.max_sweeps = 12;
+    const ResolveOptions options{.max_sweeps = 12};
     const auto last = static_cast<Joint>(example.positions.size() - 1);
     const std::vector<Vec3> start = test::shake(example.framework, example.positions, 0.2);
     std::vector<Vec3> first = start, other = test::shake(example.framework, start, 0.3);
@@ -111,8 +106,7 @@ TEST_P(SymmetryLaw, ScaleDoesNotMatter) {
     if (example.name.starts_with("coincident")) return;
     const std::vector<Vec3> start =
         test::shake(example.framework, example.positions, test::small_break(example.framework));
-    ResolveOptions options;
-    options.max_sweeps = 8;
+    const ResolveOptions options{.max_sweeps = 8};
     std::vector<Vec3> expected = start;
     const ResolveSummary plain_size = resolve(example.framework, technique, expected, options);
     for (double scale : {0x1p20, 0x1p-20}) {

@@ -3,16 +3,11 @@
 // among the lanes and its neighbours, and its summary is the same.
 #include "pliant/resolve/walkers.hpp"
 
-#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
 
 #include "law/technique_cases.hpp"
 #include "support/random_frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::walker_law_test {
 
@@ -39,12 +34,7 @@ Conformers broken_conformers(const Example& example) {
   return all;
 }
 
-ResolveOptions few_sweeps() {
-  ResolveOptions options;
-  options.max_sweeps = 60;
-  options.seed = 7;
-  return options;
-}
+ResolveOptions few_sweeps() { return {.max_sweeps = 60, .seed = 7}; }
 
 struct Resolved {
   Conformers positions;
@@ -170,12 +160,10 @@ Technique any_technique() {
 }
 
 ResolveOptions any_options() {
-  ResolveOptions options;
-  options.max_sweeps = *rc::gen::element(1, 2, 3, 60);
-  options.tolerance.relative = *rc::gen::element(1e-15, 1e-12, 1e-6, 1e-2, 0.3, 2.0, 1e308);
-  options.tolerance.length = *rc::gen::element(0.0, 0.0, 0.0, 0.1);
-  options.seed = *rc::gen::arbitrary<std::uint64_t>();
-  return options;
+  return {.tolerance = {.relative = *rc::gen::element(1e-15, 1e-12, 1e-6, 1e-2, 0.3, 2.0, 1e308),
+                        .length = *rc::gen::element(0.0, 0.0, 0.0, 0.1)},
+          .max_sweeps = *rc::gen::element(1, 2, 3, 60),
+          .seed = *rc::gen::arbitrary<std::uint64_t>()};
 }
 
 /// Bit by bit, but that every NaN is the same.

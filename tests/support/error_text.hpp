@@ -5,14 +5,10 @@
 #include <string>
 
 #include "pliant/base/error.hpp"
-#include "support/error_text.hpp"
 
 namespace pliant::test {
 
-/// What error_text() gives where nothing is thrown.
-inline constexpr const char* no_error = "(nothing was thrown)";
-
-/// what() of the `Kind` that `call` throws; a text that no error has if it throws none.
+/// what() of the `Kind` that `call` throws; "" if it throws nothing.
 template <class Kind, class Call>
 std::string error_text(Call&& call) {
   try {
@@ -22,7 +18,11 @@ std::string error_text(Call&& call) {
   } catch (const std::exception& error) {
     return "(another kind of error: " + std::string(error.what()) + ")";
   }
-  return no_error;
+  return "";
 }
 
 }  // namespace pliant::test
+
+/// That the call after `text` throws a `Kind` whose what() is `text`.
+#define EXPECT_ERROR(Kind, text, ...) \
+  EXPECT_EQ(::pliant::test::error_text<Kind>([&] { __VA_ARGS__; }), text)

@@ -35,6 +35,27 @@ Framework with_swapped_ends(const Framework& framework) {
   return Framework(std::move(parts));
 }
 
+std::shared_ptr<Sterics> spheres(std::size_t joints, double least, int excluded_bonds) {
+  auto sterics = std::make_shared<Sterics>();
+  sterics->kind_count = 1;
+  sterics->kinds.assign(joints, 0);
+  sterics->least = {least};
+  sterics->excluded_bonds = excluded_bonds;
+  return sterics;
+}
+
+Framework copies_of(const Framework& framework, std::span<const Vec3> positions, std::size_t count,
+                    Vec3 apart) {
+  FrameworkParts all{.joint_count = count * positions.size()};
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto first = static_cast<Joint>(k * positions.size());
+    for (Bar bar : framework.bars()) all.bars.push_back({first + bar.a, first + bar.b});
+    for (double rest : framework.rest_lengths()) all.rest_lengths.push_back(rest);
+    for (Vec3 x : positions) all.drawn.push_back(x + double(k) * apart);
+  }
+  return Framework(std::move(all));
+}
+
 double shortest_bar(const Framework& framework) {
   const auto rests = framework.rest_lengths();
   return rests.empty() ? 1.0 : *std::min_element(rests.begin(), rests.end());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,14 @@ Framework with_masses(const Framework& framework);
 Framework with_pinned(const Framework& framework, std::vector<Joint> pinned);
 /// `framework` with the two ends of every bar exchanged.
 Framework with_swapped_ends(const Framework& framework);
+
+/// One kind of joints: no two come nearer than `least`, but for those that few bonds join.
+std::shared_ptr<Sterics> spheres(std::size_t joints, double least, int excluded_bonds = 3);
+
+/// So many copies of a framework side by side, each `apart` from the one before: bars alone, drawn
+/// so.
+Framework copies_of(const Framework& framework, std::span<const Vec3> positions, std::size_t count,
+                    Vec3 apart);
 
 /// The shortest rest length; 1 if there is no bar.
 double shortest_bar(const Framework& framework);

@@ -2,6 +2,8 @@
 // Molecules of files, for tests.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,6 +21,27 @@ inline Structure bonded(const std::filesystem::path& file) {
   Structure structure = read_structure(file);
   perceive_bonds(structure);
   return structure;
+}
+
+struct Molecule {
+  Framework framework;
+  std::vector<Vec3> start;
+};
+
+/// Of a file of data/molecules, with all bonds and angles held.
+inline Molecule molecule(const std::string& file, BuildOptions options = {}) {
+  const Structure structure = bonded(molecule_file(file));
+  options.bars = BarKind::angles;
+  return {build_framework(structure, options), structure.positions};
+}
+
+/// Calls `look(molecule)` for each of data/molecules.
+template <class Look>
+void each_molecule(Look look) {
+  for (const auto& entry : std::filesystem::directory_iterator(molecules_folder())) {
+    SCOPED_TRACE(entry.path().filename().string());
+    look(molecule(entry.path().filename().string()));
+  }
 }
 
 /// What samples are drawn of.

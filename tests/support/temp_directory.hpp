@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A directory for the files of one test, so that tests that run side by side never share a file.
+// Files of a test: a directory of its own, so that tests that run side by side never share a file.
 #pragma once
 
 #include <stdlib.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -32,5 +34,11 @@ class TempDirectory {
  private:
   std::filesystem::path path_;
 };
+
+/// The bytes of a file; none where there is no file.
+inline std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 }  // namespace pliant::test

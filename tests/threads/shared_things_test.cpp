@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is const may be used by several threads at once, and what is each thread's own has nothing
 // to do with that of others. The thread sanitizer sees whether this is so.
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <thread>
 
 #include "pliant/lab/examples/examples.hpp"
@@ -16,7 +13,7 @@
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 #include "support/source_folder.hpp"
-#include "support/temp_directory.hpp"
+#include "support/test.hpp"
 
 namespace pliant::shared_things_test {
 
@@ -38,9 +35,8 @@ TEST(SharedThings, FilesAreReadByAll) {
     on_threads([&](int number) {
       Structure structure = read_structure(molecule(name));
       perceive_bonds(structure, {});
-      BuildOptions options;
-      options.bars = BarKind::angles;
-      bars[static_cast<std::size_t>(number)] = build_framework(structure, options).bar_count();
+      bars[static_cast<std::size_t>(number)] =
+          build_framework(structure, {.bars = BarKind::angles}).bar_count();
     });
     EXPECT_EQ(bars, std::vector<std::size_t>(thread_count, bars[0])) << name;
     EXPECT_GT(bars[0], 0U);
@@ -54,10 +50,10 @@ TEST(SharedThings, OneFrameworkServesAllTechniques) {
     if (entry.forests_only) continue;
     std::vector<std::vector<Vec3>> ends(thread_count);
     on_threads([&](int number) {
-      RunOptions options;
-      options.technique.name = entry.name == "input" ? "auto" : std::string(entry.name);
-      options.steps = 3;
-      options.resolve.max_sweeps = 50;
+      const RunOptions options{
+          .technique = {.name = entry.name == "input" ? "auto" : std::string(entry.name)},
+          .resolve = {.max_sweeps = 50},
+          .steps = 3};
       State state{start};
       run(framework, state, options, {});
       ends[static_cast<std::size_t>(number)] = state.positions;
@@ -75,8 +71,7 @@ TEST(SharedThings, EachThreadRecordsAndReadsAFile) {
   on_threads([&](int number) {
     const auto path = folder / (std::to_string(number) + ".h5md");
     H5mdRecorder recorder(path, framework, {}, {});
-    RunOptions options;
-    options.steps = 50;
+    RunOptions options{.steps = 50};
     State state{sketch.positions};
     run(framework, state, options, {[&](const Frame& frame) {
           recorder.record(frame);

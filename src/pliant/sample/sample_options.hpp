@@ -27,7 +27,7 @@ struct SampleOptions {
   double amplitude = usual_amplitude;  ///< mean r.m.s. fluctuation of nodes (Angstrom), 0.01 to 10
   /// Where that comes from: a number, `bfactors`, or a file of an ensemble; "": the default, which
   /// samplers without an amplitude accept. The job finds the amplitude: see SampleJob.
-  std::string amplitude_from;
+  std::string amplitude_from = {};
   std::uint64_t seed = 0;
   std::int64_t threads = 1;       ///< from 1; changes no result
   std::string sampler = "modes";  ///< a name in samplers()
@@ -35,8 +35,8 @@ struct SampleOptions {
   /// blocks (see near_frames_of()).
   std::int64_t near_frames = 0;
   /// Selection of atoms, for `pocket`: frames open or close the place around them; "": everywhere.
-  std::string around;
-  std::vector<std::uint32_t> around_joints;  ///< what `around` selects, ascending
+  std::string around = {};
+  std::vector<std::uint32_t> around_joints = {};  ///< what `around` selects, ascending
   /// kcal/mol, for `dilute`: a contact of energy E is off with probability exp(-|E| / this).
   double contact_energy = 3.0;
   bool ring_systems = true;  ///< for `torsions`: rings that share bonds take other forms

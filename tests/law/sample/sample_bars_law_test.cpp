@@ -3,13 +3,10 @@
 // of the structure, whatever the framework says. There atoms keep their handedness, and double
 // bonds and amides stay cis or trans. Conformers may turn tertiary amides over, and invert nitrogen
 // that bears three atoms.
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "law/sample/sample_cases.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::sample_bars_law_test {
 

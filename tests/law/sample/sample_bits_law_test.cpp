@@ -2,14 +2,13 @@
 // Frames are a function of the seed: one seed gives the same bits, on any number of threads, in
 // pieces, and in lanes of every level; another gives other frames, unless a warning says that all
 // are the same.
-#include <optional>
-
 #include "law/sample/sample_cases.hpp"
 #include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/resolve/bodies/pull/froda_lanes.hpp"
 #include "pliant/resolve/bodies/pull/froda_solver.hpp"
 #include "pliant/sample/network/coarse_nodes.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::sample_bits_law_test {
 
@@ -87,12 +86,7 @@ constexpr std::int64_t count = 9;  // one more than lanes
 class SampleLaneLaw : public test::SampleLaw {};
 PLIANT_FOR_ALL_SAMPLERS(SampleLaneLaw);
 
-FrodaOptions careful() {
-  FrodaOptions options;
-  options.has_torsion_preferences = true;
-  options.is_careful = true;
-  return options;
-}
+FrodaOptions careful() { return {.is_careful = true, .has_torsion_preferences = true}; }
 
 /// The first steps of some frames.
 struct Asked {

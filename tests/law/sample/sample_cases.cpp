@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "pliant/jobs/sample_checkpoint.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "support/frameworks.hpp"
@@ -171,20 +172,44 @@ std::unique_ptr<SampleTask> task_of(const SampleCase& at, const SampleOptions& o
   return std::make_unique<SampleTask>(subject_of(model_of(at)), SampleAsked{options});
 }
 
+namespace {
+
+KeptFrame kept(const Frame& frame) {
+  return {frame.step,
+          {frame.positions.begin(), frame.positions.end()},
+          {frame.limits_off.begin(), frame.limits_off.end()},
+          frame.max_residual,
+          frame.max_limit,
+          frame.max_overlap};
+}
+
+}  // namespace
+
 std::vector<KeptFrame> frames_of(const SampleTask& task) {
   std::vector<KeptFrame> frames;
   const SampleSummary summary = task.run([&](const Frame& frame) {
-    frames.push_back({frame.step,
-                      {frame.positions.begin(), frame.positions.end()},
-                      {frame.limits_off.begin(), frame.limits_off.end()},
-                      frame.max_residual,
-                      frame.max_limit,
-                      frame.max_overlap});
+    frames.push_back(kept(frame));
     return false;
   });
   EXPECT_EQ(summary.frames, static_cast<std::int64_t>(frames.size()));
   EXPECT_EQ(summary.frames + summary.failed, task.options().frames);
   return frames;
+}
+
+std::vector<KeptFrame> record_sample(const std::filesystem::path& path, const SampleTask& task,
+                                     std::size_t frames, const H5mdOptions& recording) {
+  H5mdHeader header;
+  header.parameters = parameters_of(task.options());
+  header.inputs = sample_inputs(task.start(), task.nodes());
+  H5mdRecorder recorder(path, task.framework(), header, recording);
+  std::vector<KeptFrame> recorded;
+  task.run([&](const Frame& frame) {
+    recorder.record(frame);
+    recorded.push_back(kept(frame));
+    return recorded.size() == frames;
+  });
+  recorder.close();
+  return recorded;
 }
 
 std::vector<KeptFrame> frames_of(const SampleCase& at, const SampleOptions& options) {

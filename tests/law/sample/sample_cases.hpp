@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "pliant/jobs/sample_task.hpp"
 #include "pliant/model/model.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/sample/samplers.hpp"
 
 namespace pliant::test {
@@ -57,6 +59,10 @@ std::unique_ptr<SampleTask> task_of(const SampleCase& at, const SampleOptions& o
 /// Fails where frames that were given up are not reported.
 std::vector<KeptFrame> frames_of(const SampleTask& task);
 std::vector<KeptFrame> frames_of(const SampleCase& at, const SampleOptions& options);
+
+/// Records the first frames of a sample.
+std::vector<KeptFrame> record_sample(const std::filesystem::path& path, const SampleTask& task,
+                                     std::size_t frames, const H5mdOptions& recording = {});
 
 /// Numbers, positions and limits that are off are the same bit by bit.
 void expect_same_frames(const std::vector<KeptFrame>& one, const std::vector<KeptFrame>& other);

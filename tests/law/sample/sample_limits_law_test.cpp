@@ -3,15 +3,10 @@
 // as a whole, and only where the sampler lets contacts go. No two atoms are nearer than the table
 // of sterics says, where the model has one: pairs four bonds apart or more, all of them looked at,
 // with least distances by the words of the pages.
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <set>
-
 #include "law/sample/sample_cases.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/steric_table.hpp"
+#include "support/test.hpp"
 
 namespace pliant::sample_limits_law_test {
 

@@ -2,17 +2,11 @@
 // Recorded frames are read back with the bits that they had, or as near as was asked for; what goes
 // on from a file gives the file of what never stopped; and what no sampler takes is refused in so
 // many words. Cases in CI are enough of all.
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "law/sample/sample_cases.hpp"
-#include "pliant/base/error.hpp"
 #include "pliant/jobs/sample_checkpoint.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
-#include "support/temp_directory.hpp"
+#include "support/test.hpp"
 #include "unit/record/recorded_runs.hpp"
 
 namespace pliant::sample_save_law_test {
@@ -21,23 +15,6 @@ using test::TempDirectory;
 
 class SampleSaveLaw : public test::SampleLaw {};
 PLIANT_FOR_ALL_SAMPLERS(SampleSaveLaw);
-
-/// Records the first frames.
-std::vector<test::KeptFrame> record(const std::filesystem::path& path, const SampleTask& task,
-                                    std::size_t frames, const H5mdOptions& recording = {}) {
-  H5mdHeader header;
-  header.parameters = parameters_of(task.options());
-  header.inputs = sample_inputs(task.start(), task.nodes());
-  H5mdRecorder recorder(path, task.framework(), header, recording);
-  std::vector<test::KeptFrame> kept;
-  task.run([&](const Frame& frame) {
-    recorder.record(frame);
-    kept.push_back({frame.step, {frame.positions.begin(), frame.positions.end()}, {}});
-    return kept.size() == frames;
-  });
-  recorder.close();
-  return kept;
-}
 
 /// The largest difference of a coordinate from what `expected` makes of it.
 template <class Expected>
@@ -64,7 +41,7 @@ TEST_P(SampleSaveLaw, FramesAreReadBackAsTheyWere) {
     const TempDirectory folder;
     const auto task = test::task_of(at, test::options_of(at));
     const auto path = folder / "double.h5md";
-    EXPECT_EQ(worst_difference(path, record(path, *task, 5), itself), 0.0);
+    EXPECT_EQ(worst_difference(path, test::record_sample(path, *task, 5), itself), 0.0);
   });
 }
 
@@ -74,8 +51,8 @@ TEST_P(SampleSaveLaw, RoundedNumbersAreTheNearest) {
   const TempDirectory folder;
   const auto task = test::task_of(at, test::options_of(at));
   const auto rounded = folder / "rounded.h5md";
-  const double worst =
-      worst_difference(rounded, record(rounded, *task, 3, {.precision = 0.001}), itself);
+  const double worst = worst_difference(
+      rounded, test::record_sample(rounded, *task, 3, {.precision = 0.001}), itself);
   EXPECT_GT(worst, 0.0);
   EXPECT_LE(worst, 0.0005 + 1e-12);
 }
@@ -85,8 +62,8 @@ TEST_P(SampleSaveLaw, WhatGoesOnIsWhatNeverStopped) {
     const TempDirectory folder;
     const auto task = test::task_of(at, test::options_of(at));
     const auto whole = folder / "whole.h5md", part = folder / "part.h5md";
-    record(whole, *task, 5);
-    record(part, *task, 2);
+    test::record_sample(whole, *task, 5);
+    test::record_sample(part, *task, 2);
     const H5mdCheckpoint from = read_checkpoint(part);
     add_frames(from, sample_options_from(from), {}, {});
     test::expect_same_file(whole, part);
@@ -109,9 +86,7 @@ TEST(SampleCases, AnyTwoRowsOfDifferentTablesMeet) {
 class SampleRefusalLaw : public test::SampleLaw {
  protected:
   static std::string refusal_of(const SampleSubject& subject) {
-    SampleOptions options;
-    options.frames = 1;
-    options.sampler = std::string(sampler().name);
+    SampleOptions options{.frames = 1, .sampler = std::string(sampler().name)};
     const SampleTask task(subject, SampleAsked{options});
     return test::error_text<OptionError>([&] { task.run({}); });
   }
@@ -154,7 +129,7 @@ TEST_P(SampleRefusalLaw, AnAmplitudeIsRefusedWhereThereIsNone) {
     asked.amplitude = AmplitudeChoice{1.0, "1", "as given"};
     const std::string found =
         test::error_text<OptionError>([&] { SampleTask(subject_of(test::model_of(at)), asked); });
-    EXPECT_EQ(found, sampler().has_amplitude ? "(nothing was thrown)"
+    EXPECT_EQ(found, sampler().has_amplitude ? ""
                                              : "amplitude: sampler " + std::string(sampler().name) +
                                                    " has none: how far torsions turn is drawn");
   });

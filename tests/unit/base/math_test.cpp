@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
-#include <utility>
-#include <vector>
 
 #include "pliant/base/math/cell_list.hpp"
 #include "pliant/base/math/elementary.hpp"
 #include "pliant/base/math/normal.hpp"
+#include "support/test.hpp"
 
 namespace pliant::math_test {
 

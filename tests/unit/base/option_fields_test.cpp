@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/option_fields.hpp"
 
-#include <gtest/gtest.h>
-
-#include <span>
-
-#include "pliant/base/error.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::option_fields_test {
 
@@ -61,9 +56,9 @@ TEST(OptionFields, TextsThatAreNoValueAreRefused) {
   const char* expected[] = {"true or false", "a whole number", "a whole number from 0", "a number"};
   Options options;
   for (std::size_t k = 0; k < std::size(expected); ++k)
-    EXPECT_EQ(test::error_text<OptionError>(
-                  [&] { set_option(fields[k], fields[k].place(options), "-x"); }),
-              std::string(fields[k].name) + ": expected " + expected[k] + ", found \"-x\"");
+    EXPECT_ERROR(OptionError,
+                 std::string(fields[k].name) + ": expected " + expected[k] + ", found \"-x\"",
+                 set_option(fields[k], fields[k].place(options), "-x"));
 }
 
 TEST(OptionFields, RangesAndNamesAreChecked) {

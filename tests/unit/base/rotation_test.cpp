@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "pliant/base/math/axis_angle.hpp"
 #include "pliant/base/math/best_fit.hpp"
 #include "pliant/base/math/superposition.hpp"
 #include "pliant/base/random.hpp"
+#include "support/test.hpp"
 
 namespace pliant::rotation_test {
 

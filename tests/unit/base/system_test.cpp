@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <string>
 
 #include "pliant/base/system/descriptor.hpp"
 #include "pliant/base/system/file_lock.hpp"
@@ -18,7 +11,7 @@
 #include "pliant/base/system/program_folders.hpp"
 #include "pliant/base/system/signals.hpp"
 #include "pliant/base/system/sockets.hpp"
-#include "support/temp_directory.hpp"
+#include "support/test.hpp"
 
 namespace pliant::system_test {
 
@@ -34,10 +27,7 @@ class Descriptors : public testing::Test {
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);
   }
-  std::string text(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string text(const std::string& name) const { return test::content_of(path(name)); }
 
  private:
   const test::TempDirectory folder_;

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/words.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "pliant/base/choices.hpp"
-#include "pliant/base/error.hpp"
 #include "pliant/base/letters.hpp"
 #include "pliant/base/printable.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::words_test {
 
@@ -83,10 +79,11 @@ TEST(NearestName, OfEquallyNearNamesTheFirst) {
 TEST(Choose, FindsTheRow) { EXPECT_EQ(choose(fruits, "fruit", "plum").stones, 1); }
 
 TEST(Choose, NamesTheNearestAndAllKnown) {
-  EXPECT_EQ(test::error_text<OptionError>([] { choose(fruits, "fruit", "plumm"); }),
-            "no fruit named \"plumm\" (did you mean \"plum\"?); known: apple, plum, cherry");
-  EXPECT_EQ(test::error_text<OptionError>([] { choose(fruits, "fruit", "banana\n"); }),
-            "no fruit named \"banana\\x0a\"; known: apple, plum, cherry");
+  EXPECT_ERROR(OptionError,
+               "no fruit named \"plumm\" (did you mean \"plum\"?); known: apple, plum, cherry",
+               choose(fruits, "fruit", "plumm"));
+  EXPECT_ERROR(OptionError, "no fruit named \"banana\\x0a\"; known: apple, plum, cherry",
+               choose(fruits, "fruit", "banana\n"));
 }
 
 TEST(NamesOf, IsTheColumnOfNames) {
@@ -96,19 +93,11 @@ TEST(NamesOf, IsTheColumnOfNames) {
 TEST(At, NamesFileAndLine) {
   EXPECT_EQ(at({"a.pdb", 12}, "what"), "a.pdb:12: what");
   EXPECT_EQ(at({"a.pdb", 0}, "what"), "a.pdb: what");
+  EXPECT_EQ(at({"\x1b[2J.pdb", 3}, "wrong"), "\"\\x1b[2J.pdb\":3: wrong");
 }
 
 TEST(Fail, ThrowsAnInputErrorWithThePlace) {
-  EXPECT_EQ(test::error_text<InputError>([] {
-              fail({"b.xyz", 3}, "expected a number");
-            }),
-            "b.xyz:3: expected a number");
-}
-
-TEST(Errors, AreAllErrors) {
-  EXPECT_THROW(throw InputError("x"), Error);
-  EXPECT_THROW(throw OptionError("x"), Error);
-  EXPECT_THROW(throw FileError("x"), Error);
+  EXPECT_ERROR(InputError, "b.xyz:3: expected a number", fail({"b.xyz", 3}, "expected a number"));
 }
 
 TEST(Quoted, EscapesWhatATerminalMightObey) {
@@ -135,29 +124,20 @@ TEST(Quoted, HoldsNothingBeyondPrintableAscii) {
   for (unsigned char c : quoted(std::string_view(all), 256)) EXPECT_TRUE(c >= 0x20 && c <= 0x7e);
 }
 
-TEST(Printable, LeavesTextOfAllScripts) {
+TEST(Printable, WritesOrdersToTerminalsAndWhatIsNoUtf8AsHex) {
   for (const char* text :
        {"", "a b", "M\xc3\xbcller", "\xe6\xb0\xb4", "\xf0\x9f\xa7\xac", "a\tb\n"})
     EXPECT_EQ(printable(text), text);
-}
-
-TEST(Printable, WritesOrdersToTerminalsAsHex) {
-  EXPECT_EQ(printable("\x1b[31mred\x07"), "\\x1b[31mred\\x07");
-  EXPECT_EQ(printable("a\x7f\r"), "a\\x7f\\x0d");
-  EXPECT_EQ(printable("\xc2\x9b"
-                      "2J"),
-            "\\xc2\\x9b2J")
-      << "the one-byte order of ISO 6429";
-}
-
-TEST(Printable, WritesWhatIsNoUtf8AsHex) {
-  EXPECT_EQ(printable("\xff"), "\\xff");
-  EXPECT_EQ(printable("\x9b"
-                      "2J"),
-            "\\x9b2J");
-  EXPECT_EQ(printable("\xc3"), "\\xc3") << "cut";
-  EXPECT_EQ(printable("\xe0\x80\x9b"), "\\xe0\\x80\\x9b") << "longer than it need be";
-  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "half of a pair";
+  const std::pair<const char*, const char*> cases[] = {
+      {"\x1b[31mred\x07", "\\x1b[31mred\\x07"},
+      {"a\x7f\r", "a\\x7f\\x0d"},
+      {"\xc2\x9b[J", "\\xc2\\x9b[J"},  // the one-byte order of ISO 6429
+      {"\xff", "\\xff"},
+      {"\x9b[J", "\\x9b[J"},
+      {"\xc3", "\\xc3"},                     // cut
+      {"\xe0\x80\x9b", "\\xe0\\x80\\x9b"},   // longer than it need be
+      {"\xed\xa0\x80", "\\xed\\xa0\\x80"}};  // half of a pair
+  for (const auto& [text, shown] : cases) EXPECT_EQ(printable(text), shown);
 }
 
 TEST(Printable, NamesAreQuotedWhereTheyMust) {
@@ -166,11 +146,6 @@ TEST(Printable, NamesAreQuotedWhereTheyMust) {
   EXPECT_EQ(printable_name("a\nb"), "\"a\\x0ab\"");
   EXPECT_EQ(printable_name("\x1b]0;x\x07.pdb"), "\"\\x1b]0;x\\x07.pdb\"");
   EXPECT_EQ(printable_name("say \"hi\""), "\"say \\\"hi\\\"\"");
-}
-
-TEST(Printable, PlacesAreNamedSo) {
-  EXPECT_EQ(at({"a.pdb", 3}, "wrong"), "a.pdb:3: wrong");
-  EXPECT_EQ(at({"\x1b[2J.pdb", 3}, "wrong"), "\"\\x1b[2J.pdb\":3: wrong");
 }
 
 }  // namespace pliant::words_test

@@ -3,18 +3,13 @@
 // differences, and where relaxing ends.
 #include "pliant/conformers/choice/choose_conformers.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-
-#include "pliant/base/error.hpp"
 #include "pliant/base/math/superposition.hpp"
 #include "pliant/conformers/strain/conformer_energy.hpp"
 #include "pliant/conformers/strain/relaxation.hpp"
 #include "pliant/conformers/strain/strain.hpp"
 #include "pliant/conformers/strain/torsion_gradient.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 #include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant::choose_conformers_test {

@@ -2,12 +2,6 @@
 // Rings and systems of them in molecules whose rings are known.
 #include "pliant/conformers/rings/ring_systems.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "pliant/conformers/rings/bond_chemistry.hpp"
 #include "pliant/conformers/rings/distance_fit.hpp"
 #include "pliant/conformers/rings/ring_forms.hpp"
@@ -15,6 +9,7 @@
 #include "pliant/conformers/rings/ring_pucker.hpp"
 #include "pliant/conformers/rings/system_forms.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 #include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant::ring_systems_test {

@@ -2,17 +2,11 @@
 // What moves in molecules, and that every move keeps every bar.
 #include "pliant/conformers/torsions/torsion_moves.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "pliant/conformers/torsions/loop_equations.hpp"
 #include "pliant/conformers/torsions/small_sterics.hpp"
 #include "pliant/conformers/torsions/torsion_draws.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 #include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant::torsion_moves_test {
@@ -100,14 +94,7 @@ TEST(TorsionMoves, AnAmideTurnsByHalfACircle) {
 }
 
 TEST(SmallSterics, SumsSquaresOfDepths) {
-  FrameworkParts parts;
-  parts.joint_count = 3;
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 1;
-  sterics->kinds = {0, 0, 0};
-  sterics->least = {3.0};
-  parts.sterics = sterics;
-  const Framework framework(parts);
+  const Framework framework({.joint_count = 3, .sterics = test::spheres(3, 3.0)});
   const SmallSterics small(framework);
   EXPECT_EQ(small.pairs().size(), 3U);
   EXPECT_NEAR(small.overlap(std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {0, 2.5, 0}}), 1.25, 1e-12);
@@ -227,12 +214,16 @@ double closed_form(double off, double slope, double weight, double damping) {
   return -weight * slope * off / (weight * slope * slope + damping);
 }
 
+void add_row(LoopEquations& equations, Slot place, Vec3 slope, double off, double weight) {
+  equations.begin_row();
+  equations.add_to_row(place, slope);
+  equations.end_row(off, weight);
+}
+
 TEST(LoopEquations, OneHingeTurnsByTheClosedForm) {
   LoopEquations equations({&hinge, 1});
   equations.begin(places, 0.5);
-  equations.begin_row();
-  equations.add_to_row(2, {0, 3, 7});  // the slope is 2 * 3: what points along z turns nothing
-  equations.end_row(0.1, 4.0);
+  add_row(equations, 2, {0, 3, 7}, 0.1, 4.0);  // the slope is 2 * 3: along z turns nothing
   const auto turns = equations.solve();
   ASSERT_EQ(turns.size(), 1U);
   EXPECT_NEAR(turns[0], closed_form(0.1, 6.0, 4.0, 0.5), 1e-15);
@@ -241,23 +232,15 @@ TEST(LoopEquations, OneHingeTurnsByTheClosedForm) {
 TEST(LoopEquations, RowsAddUpAndWhatDoesNotTurnDoesNotCount) {
   LoopEquations equations({&hinge, 1});
   equations.begin(places, 1.0);
-  for (int k = 0; k < 3; ++k) {
-    equations.begin_row();
-    equations.add_to_row(2, {0, 1, 0});
-    equations.end_row(0.2, 1.0);
-  }
-  equations.begin_row();
-  equations.add_to_row(0, {5, 5, 5});
-  equations.end_row(9.0, 9.0);
+  for (int k = 0; k < 3; ++k) add_row(equations, 2, {0, 1, 0}, 0.2, 1.0);
+  add_row(equations, 0, {5, 5, 5}, 9.0, 9.0);
   EXPECT_NEAR(equations.solve()[0], closed_form(0.2, 2.0, 3.0, 1.0), 1e-15);
 }
 
 TEST(LoopEquations, DampingGrowsByAShareOfTheDiagonal) {
   LoopEquations equations({&hinge, 1});
   equations.begin(places, 0.0);
-  equations.begin_row();
-  equations.add_to_row(2, {0, 1, 0});
-  equations.end_row(1.0, 1.0);
+  add_row(equations, 2, {0, 1, 0}, 1.0, 1.0);
   equations.add_damping(0.25);  // of 4
   EXPECT_NEAR(equations.solve()[0], closed_form(1.0, 2.0, 1.0, 1.0), 1e-15);
 }

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/framework/edits.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "pliant/base/error.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/framework/torsion_preferences.hpp"
 #include "pliant/lab/examples/examples.hpp"
-#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::edits_test {
 
@@ -27,10 +21,6 @@ Framework hexagon() {
 
 Framework after(const std::vector<FrameworkEdit>& edits) {
   return edited(hexagon(), edits, ring(6).positions).framework;
-}
-
-std::string refusal(const std::vector<FrameworkEdit>& edits) {
-  return test::error_text<OptionError>([&] { after(edits); });
 }
 
 TEST(Edits, CutABarOrAllOfAContact) {
@@ -73,11 +63,7 @@ TEST(Edits, RestoreWhatWasThereAtTheStart) {
 
 TEST(Edits, LetWhatABarJoinsComeNear) {
   FrameworkParts parts = framework_of(ring(6)).parts();
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 1;
-  sterics->least = {1.9};
-  sterics->kinds.assign(6, 0);
-  sterics->excluded_bonds = 2;
+  auto sterics = test::spheres(6, 1.9, 2);
   sterics->own = {{0, 3, 1.8}};
   parts.sterics = sterics;
   const Framework near =
@@ -87,16 +73,19 @@ TEST(Edits, LetWhatABarJoinsComeNear) {
 }
 
 TEST(Edits, AreRefusedWhereTheyChangeNothing) {
-  EXPECT_EQ(refusal({{EditKind::cut, 0, 6}}), "cut: joint 6 of 6 does not exist");
-  EXPECT_EQ(refusal({{EditKind::bar, 2, 2, 1.0}}), "bar 2 - 2, 1 Angstrom: expected two joints");
-  EXPECT_EQ(refusal({{EditKind::cut, 1, 5}}), "cut 1 - 5: neither a bar nor a contact joins them");
-  EXPECT_EQ(refusal({{EditKind::cut, 0, 1}, {EditKind::cut, 0, 1}}),
-            "cut 0 - 1: neither a bar nor a contact joins them");
-  EXPECT_EQ(refusal({{EditKind::restore, 0, 1}}), "restore 0 - 1: is as it was at the start");
-  EXPECT_EQ(refusal({{EditKind::bar, 1, 5, 0.0}}),
-            "bar 1 - 5, 0 Angstrom: expected a length from 1e-150 to 1e150 Angstrom");
-  EXPECT_EQ(refusal({{EditKind::bar, 1, 5, 2.0}, {EditKind::bar, 5, 1, 2.0}}),
-            "bar 5 - 1, 2 Angstrom: is there already");
+  const FrameworkEdit cut_bar{EditKind::cut, 0, 1};
+  const std::pair<const char*, std::vector<FrameworkEdit>> cases[] = {
+      {"cut: joint 6 of 6 does not exist", {{EditKind::cut, 0, 6}}},
+      {"bar 2 - 2, 1 Angstrom: expected two joints", {{EditKind::bar, 2, 2, 1.0}}},
+      {"cut 1 - 5: neither a bar nor a contact joins them", {{EditKind::cut, 1, 5}}},
+      {"cut 0 - 1: neither a bar nor a contact joins them", {cut_bar, cut_bar}},
+      {"restore 0 - 1: is as it was at the start", {{EditKind::restore, 0, 1}}},
+      {"bar 1 - 5, 0 Angstrom: expected a length from 1e-150 to 1e150 Angstrom",
+       {{EditKind::bar, 1, 5, 0.0}}},
+      {"bar 5 - 1, 2 Angstrom: is there already",
+       {{EditKind::bar, 1, 5, 2.0}, {EditKind::bar, 5, 1, 2.0}}},
+  };
+  for (const auto& [text, edits] : cases) EXPECT_ERROR(OptionError, text, after(edits));
 }
 
 constexpr double degrees = std::numbers::pi / 180.0;

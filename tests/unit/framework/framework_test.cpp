@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/framework/framework.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
-#include "pliant/base/error.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/framework/limits.hpp"
 #include "pliant/lab/examples/examples.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::framework_test {
 
@@ -22,11 +16,7 @@ std::shared_ptr<const AtomTable> three_atoms() {
 
 /// A path of three joints, to be spoiled.
 FrameworkParts path() {
-  FrameworkParts parts;
-  parts.joint_count = 3;
-  parts.bars = {{0, 1}, {2, 1}};
-  parts.rest_lengths = {1.5, 2.5};
-  return parts;
+  return {.joint_count = 3, .bars = {{0, 1}, {2, 1}}, .rest_lengths = {1.5, 2.5}};
 }
 
 template <class Spoil>
@@ -54,9 +44,7 @@ TEST(Framework, KeepsWhatItIsGiven) {
 }
 
 TEST(Framework, NeighboursComeInTheOrderOfTheBars) {
-  FrameworkParts parts;
-  parts.joint_count = 5;
-  parts.bars = {{3, 1}, {1, 0}, {2, 1}, {0, 3}};
+  FrameworkParts parts{.joint_count = 5, .bars = {{3, 1}, {1, 0}, {2, 1}, {0, 3}}};
   parts.rest_lengths.assign(4, 1.0);
   const Framework framework(std::move(parts));
   const auto around = framework.neighbours(1);
@@ -75,11 +63,8 @@ TEST(Framework, NothingAndOneJointAreFrameworks) {
 }
 
 TEST(Framework, MergesEqualBarsAndKeepsTheFirst) {
-  FrameworkParts parts;
-  parts.joint_count = 3;
-  parts.bars = {{0, 1}, {1, 2}, {1, 0}, {0, 1}};
-  parts.rest_lengths = {1, 2, 1, 1};
-  const Framework framework(std::move(parts));
+  const Framework framework(
+      {.joint_count = 3, .bars = {{0, 1}, {1, 2}, {1, 0}, {0, 1}}, .rest_lengths = {1, 2, 1, 1}});
   EXPECT_EQ(framework.bar_count(), 2u);
   EXPECT_EQ(framework.merged_bar_count(), 2u);
   EXPECT_EQ(framework.bars()[0], (Bar{0, 1}));
@@ -89,105 +74,81 @@ TEST(Framework, MergesEqualBarsAndKeepsTheFirst) {
   EXPECT_EQ(framework.neighbours(1)[1].bar, 1u);
 }
 
-TEST(Framework, RefusesTwoLengthsForOnePair) {
-  EXPECT_EQ(refusal([](auto& parts) {
-              parts.bars.push_back({1, 0});
-              parts.rest_lengths.push_back(1.25);
-            }),
-            "bar 0 - 1 is given twice, with rest lengths 1.5 and 1.25 Angstrom");
-  EXPECT_EQ(refusal([](auto& parts) {
-              parts.atoms = three_atoms();
-              parts.bars.push_back({0, 1});
-              parts.rest_lengths.push_back(1.5000000000000002);
-            }),
-            "bar N(1) - CA(2) is given twice, with rest lengths 1.5 and 1.5 Angstrom");
+struct Refused {
+  const char* text;
+  std::function<void(FrameworkParts&)> spoil;
+};
+
+/// three_atoms(), spoiled.
+template <class Spoil>
+auto atoms_with(Spoil spoil) {
+  auto atoms = std::make_shared<AtomTable>(*three_atoms());
+  spoil(*atoms);
+  return [atoms](FrameworkParts& parts) { parts.atoms = atoms; };
 }
 
-TEST(Framework, RefusesABarFromAJointToItself) {
-  EXPECT_EQ(refusal([](auto& parts) { parts.bars[1] = {2, 2}; }), "bar 1 joins joint 2 to itself");
-}
-
-TEST(Framework, RefusesUnknownJoints) {
-  EXPECT_EQ(refusal([](auto& parts) {
-              parts.bars[1] = {2, 3};
-            }),
-            "bar 1 joins joints 2 and 3 but there are 3 joints");
-  EXPECT_EQ(refusal([](auto& parts) {
-              parts.bars[0] = {4294967295u, 0};
-            }),
-            "bar 0 joins joints 4294967295 and 0 but there are 3 joints");
-  EXPECT_EQ(refusal([](auto& parts) { parts.pinned = {3}; }), "pinned joint 3 of 3 does not exist");
-}
-
-TEST(Framework, RefusesLengthsThatAreNone) {
-  const std::string range = ": must be from 1e-150 to 1e150 Angstrom";
-  const std::pair<double, const char*> lengths[] = {{0, "0"},
-                                                    {-1, "-1"},
-                                                    {std::nan(""), "nan"},
-                                                    {HUGE_VAL, "inf"},
-                                                    {1e-310, "1e-310"},
-                                                    {9.9e-151, "9.9e-151"},
-                                                    {1.1e150, "1.1e+150"}};
-  for (const auto& [length, text] : lengths)
-    EXPECT_EQ(refusal([&](auto& parts) { parts.rest_lengths[1] = length; }),
-              "bar 2 - 1 has rest length " + std::string(text) + range);
-  for (double length : {1e-150, 1e150})
-    EXPECT_EQ(refusal([&](auto& parts) { parts.rest_lengths[1] = length; }), test::no_error);
-}
-
-TEST(Framework, RefusesMassesThatAreNone) {
-  const std::pair<double, const char*> masses[] = {
-      {0, "0"},          {-12, "-12"},       {std::nan(""), "nan"},
-      {HUGE_VAL, "inf"}, {1e-309, "1e-309"}, {1e200, "1e+200"}};
-  for (const auto& [mass, text] : masses)
-    EXPECT_EQ(refusal([&](auto& parts) {
-                parts.masses = {1, mass, 1};
-              }),
-              "mass of joint 1 is " + std::string(text) + ": must be from 1e-150 to 1e150 u");
-  EXPECT_EQ(refusal([](auto& parts) {
-              parts.atoms = three_atoms();
-              parts.masses = {1, 1, 0};
-            }),
-            "mass of C(5) is 0: must be from 1e-150 to 1e150 u");
-}
-
-TEST(Framework, RefusesColumnsOfDifferentLengths) {
-  EXPECT_EQ(refusal([](auto& parts) { parts.rest_lengths.pop_back(); }),
-            "framework: 2 bars but 1 rest lengths");
-  EXPECT_EQ(refusal([](auto& parts) {
-              parts.masses = {1, 1};
-            }),
-            "framework: 3 joints but 2 masses");
-  EXPECT_EQ(refusal([](auto& parts) {
-              parts.joint_count = 4;
-              parts.atoms = three_atoms();
-            }),
-            "framework: 4 joints but 3 atom names");
-}
-
-TEST(Framework, RefusesMoreJointsThanItCanCount) {
-  EXPECT_EQ(refusal([](auto& parts) {
-              parts = {};
-              parts.joint_count = std::numeric_limits<std::uint32_t>::max();
-            }),
-            "framework: 4294967295 joints, but fewer than 2^32 - 1 can be held");
-}
-
-TEST(Framework, RefusesAnAtomTableThatIsNotOne) {
-  const auto with_atoms = [](auto spoil) {
-    AtomTable atoms = *three_atoms();
-    spoil(atoms);
-    return refusal(
-        [&](auto& parts) { parts.atoms = std::make_shared<AtomTable>(std::move(atoms)); });
+TEST(Framework, RefusesWhatIsNone) {
+  const Refused cases[] = {
+      {"bar 0 - 1 is given twice, with rest lengths 1.5 and 1.25 Angstrom",
+       [](auto& p) {
+         p.bars.push_back({1, 0}), p.rest_lengths.push_back(1.25);
+       }},
+      {"bar N(1) - CA(2) is given twice, with rest lengths 1.5 and 1.5 Angstrom",
+       [](auto& p) {
+         p.atoms = three_atoms();
+         p.bars.push_back({0, 1}), p.rest_lengths.push_back(1.5000000000000002);
+       }},
+      {"bar 1 joins joint 2 to itself",
+       [](auto& p) {
+         p.bars[1] = {2, 2};
+       }},
+      {"bar 1 joins joints 2 and 3 but there are 3 joints",
+       [](auto& p) {
+         p.bars[1] = {2, 3};
+       }},
+      {"bar 0 joins joints 4294967295 and 0 but there are 3 joints",
+       [](auto& p) {
+         p.bars[0] = {4294967295u, 0};
+       }},
+      {"pinned joint 3 of 3 does not exist", [](auto& p) { p.pinned = {3}; }},
+      {"mass of C(5) is 0: must be from 1e-150 to 1e150 u",
+       [](auto& p) {
+         p.atoms = three_atoms(), p.masses = {1, 1, 0};
+       }},
+      {"framework: 2 bars but 1 rest lengths", [](auto& p) { p.rest_lengths.pop_back(); }},
+      {"framework: 3 joints but 2 masses",
+       [](auto& p) {
+         p.masses = {1, 1};
+       }},
+      {"framework: 4 joints but 3 atom names",
+       [](auto& p) { p.joint_count = 4, p.atoms = three_atoms(); }},
+      {"framework: 4294967295 joints, but fewer than 2^32 - 1 can be held",
+       [](auto& p) { p = {.joint_count = std::numeric_limits<std::uint32_t>::max()}; }},
+      {"atom table: 3 names but 2 elements", atoms_with([](auto& a) { a.elements.pop_back(); })},
+      {"atom table: 3 names but 4 residue indices",
+       atoms_with([](auto& a) { a.residue_of.push_back(0); })},
+      {"atom table: 3 names but 0 serials", atoms_with([](auto& a) { a.serials.clear(); })},
+      {"atom table: atom 1 is in residue 1 of 1", atoms_with([](auto& a) { a.residue_of[1] = 1; })},
   };
-  EXPECT_EQ(with_atoms([](auto& atoms) { atoms.elements.pop_back(); }),
-            "atom table: 3 names but 2 elements");
-  EXPECT_EQ(with_atoms([](auto& atoms) { atoms.residue_of.push_back(0); }),
-            "atom table: 3 names but 4 residue indices");
-  EXPECT_EQ(with_atoms([](auto& atoms) { atoms.serials.clear(); }),
-            "atom table: 3 names but 0 serials");
-  EXPECT_EQ(with_atoms([](auto& atoms) { atoms.residue_of[1] = 1; }),
-            "atom table: atom 1 is in residue 1 of 1");
+  for (const auto& [text, spoil] : cases) EXPECT_EQ(refusal(spoil), text);
+}
+
+TEST(Framework, RefusesLengthsAndMassesThatAreNone) {
+  const auto length = [](double value) {
+    return refusal([&](auto& parts) { parts.rest_lengths[1] = value; });
+  };
+  const std::pair<double, std::string> none[] = {
+      {0, "0"},           {-12, "-12"},           {std::nan(""), "nan"}, {HUGE_VAL, "inf"},
+      {1e-310, "1e-310"}, {9.9e-151, "9.9e-151"}, {1.1e150, "1.1e+150"}};
+  for (const auto& [value, text] : none) {
+    EXPECT_EQ(length(value),
+              "bar 2 - 1 has rest length " + text + ": must be from 1e-150 to 1e150 Angstrom");
+    EXPECT_EQ(refusal([&](auto& parts) {
+                parts.masses = {1, value, 1};
+              }),
+              "mass of joint 1 is " + text + ": must be from 1e-150 to 1e150 u");
+  }
+  for (double value : {1e-150, 1e150}) EXPECT_EQ(length(value), "");
 }
 
 TEST(Framework, LabelsJointsAndBars) {
@@ -224,15 +185,11 @@ TEST(AtomTable, LabelsTellResiduesApart) {
   EXPECT_EQ(atoms.label(3), "\\xff:A\\x1b1:O");
 }
 
-TEST(AtomTable, LabelsOfAMoleculeAreNameAndSerial) {
-  const AtomTable atoms{{"C1", "\x07"}, {6, 0}, {0, 0}, {{"UNK", 1, ' ', ""}}, {4, 9}};
-  EXPECT_EQ(atoms.label(0), "C1(4)");
-  EXPECT_EQ(atoms.label(1), "\\x07(9)");
-}
-
-TEST(AtomTable, LabelsOfAGraphAreNames) {
-  const AtomTable atoms{{"a", "b"}, {0, 0}, {0, 0}, {{}}, {1, 2}};
-  EXPECT_EQ(atoms.label(1), "b");
+TEST(AtomTable, LabelsOfAMoleculeAreNameAndSerialOfAGraphNames) {
+  const AtomTable molecule{{"C1", "\x07"}, {6, 0}, {0, 0}, {{"UNK", 1, ' ', ""}}, {4, 9}};
+  EXPECT_EQ(molecule.label(0), "C1(4)");
+  EXPECT_EQ(molecule.label(1), "\\x07(9)");
+  EXPECT_EQ((AtomTable{{"a", "b"}, {0, 0}, {0, 0}, {{}}, {1, 2}}).label(1), "b");
 }
 
 TEST(Framework, KeepsDrawnPositionsThatFitItsBars) {
@@ -241,17 +198,10 @@ TEST(Framework, KeepsDrawnPositionsThatFitItsBars) {
   parts.drawn = {{1, 0, 0}, {3, 0, 0}};
   EXPECT_EQ(Framework(parts).drawn()[1], (Vec3{3, 0, 0}));
   parts.drawn[1].x = 4.0;
-  EXPECT_EQ(test::error_text<InputError>([&] { Framework{parts}; }),
-            "bar 0 - 1 is drawn 3 long: its rest length is 2 Angstrom");
+  EXPECT_ERROR(InputError, "bar 0 - 1 is drawn 3 long: its rest length is 2 Angstrom",
+               Framework{parts});
   parts.drawn.pop_back();
-  EXPECT_EQ(test::error_text<InputError>([&] { Framework{parts}; }),
-            "framework: 2 joints but 1 drawn positions");
-}
-
-std::string fault_of(const Limit& limit) {
-  return test::error_text<InputError>([&] {
-    Framework({.joint_count = 4, .bars = {{0, 1}}, .rest_lengths = {1.5}, .limits = {limit}});
-  });
+  EXPECT_ERROR(InputError, "framework: 2 joints but 1 drawn positions", Framework{parts});
 }
 
 TEST(Limit, ItsExcessIsSigned) {
@@ -268,18 +218,21 @@ TEST(Limit, KindsHaveNames) {
 }
 
 TEST(Limit, WhatCannotBeIsRefused) {
-  EXPECT_EQ(fault_of({.a = 0, .b = 2, .most = 1.0}), test::no_error);
-  EXPECT_EQ(fault_of({.a = 0, .b = 9}), "limit 0 joins joints 0 and 9 but there are 4 joints");
-  EXPECT_EQ(fault_of({.a = 2, .b = 2}), "limit 0 joins joint 2 to itself");
-  EXPECT_EQ(fault_of({.a = 1, .b = 0}), "limit 1 - 0 has a bar already, of 1.5 Angstrom");
-  EXPECT_EQ(fault_of({.a = 0, .b = 2, .least = 2.0, .most = 1.0}),
-            "limit 0 - 2 has least distance 2 above most 1 Angstrom");
-  EXPECT_EQ(fault_of({.a = 0, .b = 2, .least = -1.0}),
-            "limit 0 - 2 has least distance -1: must be from 0 to 1e150 Angstrom");
-  EXPECT_EQ(fault_of({.a = 0, .b = 2, .most = std::nan("")}),
-            "limit 0 - 2 has most distance nan: must be above 0, up to 1e150 Angstrom or infinite");
-  EXPECT_EQ(fault_of({.a = 0, .b = 2, .energy = std::nan("")}),
-            "limit 0 - 2 has energy nan: must be finite");
+  const std::pair<const char*, Limit> cases[] = {
+      {"", {.a = 0, .b = 2, .most = 1.0}},
+      {"limit 0 joins joints 0 and 9 but there are 3 joints", {.a = 0, .b = 9}},
+      {"limit 0 joins joint 2 to itself", {.a = 2, .b = 2}},
+      {"limit 1 - 0 has a bar already, of 1.5 Angstrom", {.a = 1, .b = 0}},
+      {"limit 0 - 2 has least distance 2 above most 1 Angstrom",
+       {.a = 0, .b = 2, .least = 2.0, .most = 1.0}},
+      {"limit 0 - 2 has least distance -1: must be from 0 to 1e150 Angstrom",
+       {.a = 0, .b = 2, .least = -1.0}},
+      {"limit 0 - 2 has most distance nan: must be above 0, up to 1e150 Angstrom or infinite",
+       {.a = 0, .b = 2, .most = std::nan("")}},
+      {"limit 0 - 2 has energy nan: must be finite", {.a = 0, .b = 2, .energy = std::nan("")}},
+  };
+  for (const auto& [text, limit] : cases)
+    EXPECT_EQ(refusal([&](auto& parts) { parts.limits = {limit}; }), text);
 }
 
 TEST(Limit, JointsKnowTheirLimits) {
@@ -295,26 +248,13 @@ TEST(JointNames, AreIndicesWhereThereAreNone) {
   const JointNames names(framework);
   EXPECT_EQ(names.find("2", {"f.txt", 1}), 2u);
   EXPECT_EQ(names.word_for(1, "force file"), "1");
-  EXPECT_EQ(test::error_text<InputError>([&] {
-              names.find("3", {"f.txt", 1});
-            }),
-            "f.txt:1: joint: no joint is named \"3\"");
-  EXPECT_EQ(test::error_text<InputError>([&] {
-              names.find("-0x1", {"f.txt", 1});
-            }),
-            "f.txt:1: joint: no joint is named \"-0x1\"");
+  EXPECT_ERROR(InputError, "f.txt:1: joint: no joint is named \"3\"",
+               names.find("3", {"f.txt", 1}));
+  EXPECT_ERROR(InputError, "f.txt:1: joint: no joint is named \"-0x1\"",
+               names.find("-0x1", {"f.txt", 1}));
 }
 
-AtomTable two_atoms() {
-  AtomTable atoms;
-  atoms.names = {"C", "A1"};
-  atoms.elements = {6, 0};
-  atoms.residue_of = {0, 0};
-  atoms.residues = {{"LIG", 1, ' ', "A"}};
-  atoms.serials = {1, 2};
-  return atoms;
-}
-
+const AtomTable two_atoms{{"C", "A1"}, {6, 0}, {0, 0}, {{"LIG", 1, ' ', "A"}}, {1, 2}};
 const std::vector<Vec3> places{{1.0, 2.0, 3.0}, {-0.5, 0.0, 1e-300}};
 
 /// The offset basis, and 1.0 as the bytes 00 00 00 00 00 00 f0 3f, worked out apart with Python's
@@ -325,22 +265,17 @@ TEST(Fingerprint, IsFnv1aOfTheBytes) {
 }
 
 TEST(Fingerprint, IsOfAnotherStructureWhereAnythingDiffers) {
-  const std::uint64_t one = fingerprint(two_atoms(), places);
-  AtomTable other = two_atoms();
-  other.names = {"CA", "1"};
-  EXPECT_NE(fingerprint(other, places), one);
-  other = two_atoms();
-  other.elements[0] = 7;
-  EXPECT_NE(fingerprint(other, places), one);
-  other = two_atoms();
-  other.residues[0].name = "ALA";
-  EXPECT_NE(fingerprint(other, places), one);
-  std::vector<Vec3> moved = places;
-  moved[1].y = -0.0;
-  EXPECT_NE(fingerprint(two_atoms(), moved), one);
-  other = two_atoms();
-  other.residues[0].chain = "B";
-  EXPECT_EQ(fingerprint(other, places), one);
+  const auto changed = [](auto change) {
+    AtomTable atoms = two_atoms;
+    std::vector<Vec3> at = places;
+    change(atoms, at);
+    return fingerprint(atoms, at) != fingerprint(two_atoms, places);
+  };
+  EXPECT_TRUE(changed([](auto& atoms, auto&) { atoms.names = {"CA", "1"}; }));
+  EXPECT_TRUE(changed([](auto& atoms, auto&) { atoms.elements[0] = 7; }));
+  EXPECT_TRUE(changed([](auto& atoms, auto&) { atoms.residues[0].name = "ALA"; }));
+  EXPECT_TRUE(changed([](auto&, auto& at) { at[1].y = -0.0; }));
+  EXPECT_FALSE(changed([](auto& atoms, auto&) { atoms.residues[0].chain = "B"; }));
 }
 
 }  // namespace pliant::framework_test

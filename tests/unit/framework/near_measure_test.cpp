@@ -1,46 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/framework/measures/near_measure.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <limits>
-#include <memory>
-#include <set>
-
 #include "pliant/base/random.hpp"
 #include "pliant/framework/measures/kept_measure.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
+#include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::near_measure_test {
 
 constexpr std::size_t joints = 400;
 
-/// A chain with bars, limits, spheres of two kinds, and a pair with a distance of its own.
-Framework made_framework(std::span<const Vec3> places) {
-  FrameworkParts parts;
-  parts.joint_count = places.size();
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 2;
-  sterics->least = {2.0, 2.4, 2.4, 3.0};
-  for (Joint k = 0; k < places.size(); ++k) sterics->kinds.push_back(std::uint16_t(k % 2));
-  sterics->own.push_back({3, 90, 4.0});
-  parts.sterics = sterics;
+/// A chain with bars, limits from each joint to the seventh after it, and spheres.
+Framework framework_of_chain(std::span<const Vec3> places, std::shared_ptr<Sterics> sterics) {
+  FrameworkParts parts{.joint_count = places.size(), .sterics = std::move(sterics)};
   for (Joint k = 0; k + 1 < places.size(); ++k) {
     parts.bars.push_back({k, k + 1});
     parts.rest_lengths.push_back(distance(places[k], places[k + 1]));
     if (k + 7 < places.size())
-      parts.limits.push_back({k, k + 7, 0.0, 1.05 * distance(places[k], places[k + 7]),
-                              LimitKind::given, 0.0, no_limit_group});
+      parts.limits.push_back(
+          {.a = k, .b = k + 7, .most = 1.05 * distance(places[k], places[k + 7])});
   }
   return Framework(parts);
 }
 
-std::vector<Vec3> made_places(RandomSequence& draws) {
+/// Spheres of two kinds, and a pair with a distance of its own.
+Framework made_framework(std::span<const Vec3> places) {
+  auto sterics = test::spheres(places.size(), 0.0);
+  sterics->kind_count = 2;
+  sterics->least = {2.0, 2.4, 2.4, 3.0};
+  for (Joint k = 0; k < places.size(); ++k) sterics->kinds[k] = std::uint16_t(k % 2);
+  sterics->own.push_back({3, 90, 4.0});
+  return framework_of_chain(places, sterics);
+}
+
+std::vector<Vec3> made_places(RandomSequence& draws, std::size_t count = joints, double size = 18) {
   std::vector<Vec3> places;
-  for (std::size_t k = 0; k < joints; ++k)
-    places.push_back({18 * draws.uniform(), 18 * draws.uniform(), 18 * draws.uniform()});
+  for (std::size_t k = 0; k < count; ++k)
+    places.push_back({size * draws.uniform(), size * draws.uniform(), size * draws.uniform()});
   return places;
 }
 
@@ -155,23 +152,8 @@ TEST(NearMeasure, LimitsThatAreOffDoNotCount) {
 
 constexpr std::size_t chain_joints = 2000;
 
-/// A chain with bars, limits from each joint to the seventh after it, and spheres.
 Framework framework_of_chain(std::span<const Vec3> places) {
-  FrameworkParts parts;
-  parts.joint_count = places.size();
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 1;
-  sterics->kinds.assign(places.size(), 0);
-  sterics->least = {2.0};
-  parts.sterics = sterics;
-  for (Joint k = 0; k + 1 < places.size(); ++k) {
-    parts.bars.push_back({k, k + 1});
-    parts.rest_lengths.push_back(distance(places[k], places[k + 1]));
-    if (k + 7 < places.size())
-      parts.limits.push_back({k, k + 7, 0.0, 1.05 * distance(places[k], places[k + 7]),
-                              LimitKind::given, 0.0, no_limit_group});
-  }
-  return Framework(parts);
+  return framework_of_chain(places, test::spheres(places.size(), 2.0));
 }
 
 std::vector<Vec3> chain_places(RandomSequence& draws) {
@@ -269,13 +251,6 @@ Sterics made_sterics(RandomSequence& draws) {
   return sterics;
 }
 
-std::vector<Vec3> made_points(RandomSequence& draws) {
-  std::vector<Vec3> points;
-  for (std::size_t k = 0; k < listed_joints; ++k)
-    points.push_back({14.0 * draws.uniform(), 14.0 * draws.uniform(), 14.0 * draws.uniform()});
-  return points;
-}
-
 /// The least distance of a < b by the definition of Sterics.
 double least_of(const Sterics& sterics, std::uint32_t a, std::uint32_t b) {
   for (const OwnDistance& own : sterics.own)
@@ -291,7 +266,7 @@ TEST(NeighbourList, AreAllPairsThatMayTouchAndNoOthersInOrder) {
   const Framework framework({.joint_count = listed_joints, .sterics = sterics});
   NeighbourList contacts(framework, 0.8);
   for (int round = 0; round < 3; ++round) {
-    const std::vector<Vec3> points = made_points(draws);
+    const std::vector<Vec3> points = made_places(draws, listed_joints, 14);
     ASSERT_TRUE(contacts.update(points));
     std::vector<NeighbourPair> expected;
     for (std::uint32_t a = 0; a < listed_joints; ++a)

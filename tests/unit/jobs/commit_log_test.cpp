@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/jobs/files/commit_log.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
-
-#include "pliant/base/error.hpp"
 #include "pliant/jobs/files/force_recorder.hpp"
 #include "pliant/perturb/force_files/force_events.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pliant/run/force_settings.hpp"
 #include "pliant/run/replay_events.hpp"
 #include "pliant/text/file_text.hpp"
-#include "support/error_text.hpp"
-#include "support/temp_directory.hpp"
+#include "support/test.hpp"
 
 namespace pliant::commit_log_test {
 
@@ -139,10 +128,7 @@ TEST_F(CommitLogs, TakenAwayAreNotMadeAgain) {
 }
 
 TEST_F(CommitLogs, KeysTellRunsApart) {
-  FrameworkParts parts;
-  parts.joint_count = 2;
-  parts.bars = {{0, 1}};
-  parts.rest_lengths = {1.0};
+  FrameworkParts parts{.joint_count = 2, .bars = {{0, 1}}, .rest_lengths = {1.0}};
   const Framework framework(parts);
   parts.rest_lengths = {1.5};
   const Framework longer(parts);
@@ -158,11 +144,7 @@ TEST_F(CommitLogs, KeysTellRunsApart) {
 class ForceRecords : public testing::Test {
  protected:
   static FrameworkParts pair() {
-    FrameworkParts parts;
-    parts.joint_count = 2;
-    parts.bars = {{0, 1}};
-    parts.rest_lengths = {1.0};
-    return parts;
+    return {.joint_count = 2, .bars = {{0, 1}}, .rest_lengths = {1.0}};
   }
 
   const test::TempDirectory folder_;
@@ -225,8 +207,7 @@ TEST_F(ForceRecords, OfAHandCountStepsInWhichNothingChanged) {
 /// The file of a run of 10^5 steps that a hand pulls on, all the time held back, and which random
 /// forces push as well, is small; replayed, it has the bits of the run.
 TEST_F(ForceRecords, OfAHandAreReplayedToTheSameBits) {
-  RunOptions options;
-  options.steps = 100000;
+  RunOptions options{.steps = 100000};
   options.every = options.steps;
   options.perturb_options.damping = 0.5;
   options.resolve.seed = 11;
@@ -243,9 +224,8 @@ TEST_F(ForceRecords, OfAHandAreReplayedToTheSameBits) {
   recorder.publish();
   const std::string text = read_bytes(path_);
   EXPECT_LT(text.size(), 300u);
-  ReplayOptions replay;
-  replay.every = options.every;
-  replay_events(framework_, again, parse_force_events(text, "f.txt", framework_), replay, {});
+  replay_events(framework_, again, parse_force_events(text, "f.txt", framework_),
+                {.every = options.every}, {});
   EXPECT_EQ(live.step, again.step);
   EXPECT_EQ(live.positions, again.positions);
 }

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/jobs/run_job.hpp"
 
-#include <gtest/gtest.h>
-
-#include <utility>
-
-#include "pliant/base/error.hpp"
 #include "pliant/jobs/continued_run.hpp"
 #include "pliant/jobs/rigidity_task.hpp"
 #include "pliant/jobs/run_outputs.hpp"
@@ -13,10 +8,9 @@
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/run/run.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 #include "support/source_folder.hpp"
-#include "support/temp_directory.hpp"
+#include "support/test.hpp"
 #include "unit/record/recorded_runs.hpp"
 
 namespace pliant::run_job_test {
@@ -87,21 +81,19 @@ TEST(RunJob, WalkersGoOnFromTheirFilesAsIfTheyHadNeverStopped) {
 }
 
 TEST(RunJob, OptionsThatExcludeEachOtherAreRefused) {
-  const auto refusal = [](auto change) {
+  const std::pair<const char*, std::function<void(Job&)>> cases[] = {
+      {"one_file: is for several walkers: give walkers or shard",
+       [](Job& job) { job.walkers.one_file = true; }},
+      {"commits: goes with one_file; other trajectories have --continue",
+       [](Job& job) { job.output.commits = "c"; }},
+      {"--amplitude: goes with --rock", [](Job& job) { job.given = {"amplitude"}; }},
+      {"--imd: follows one walker, not several",
+       [](Job& job) { job.is_live = true, job.walkers.walkers = 2; }}};
+  for (const auto& [text, change] : cases) {
     Job job = job_of(5);
     change(job);
-    return test::error_text<OptionError>([&] { settle_walkers(job); });
-  };
-  EXPECT_EQ(refusal([](Job& job) { job.walkers.one_file = true; }),
-            "one_file: is for several walkers: give walkers or shard");
-  EXPECT_EQ(refusal([](Job& job) { job.output.commits = "c"; }),
-            "commits: goes with one_file; other trajectories have --continue");
-  EXPECT_EQ(refusal([](Job& job) { job.given = {"amplitude"}; }), "--amplitude: goes with --rock");
-  EXPECT_EQ(refusal([](Job& job) {
-              job.is_live = true;
-              job.walkers.walkers = 2;
-            }),
-            "--imd: follows one walker, not several");
+    EXPECT_ERROR(OptionError, text, settle_walkers(job));
+  }
 }
 
 TEST(RunJob, AForceFileHoldsOneForceAStep) {
@@ -117,8 +109,7 @@ TEST(RunJob, AForceFileHoldsOneForceAStep) {
                   "record_forces: a force file holds one force on one joint a step, which "
                   "displacement is not; use perturb=\"force\""}}) {
     RunJob run(job, dashes);
-    EXPECT_EQ(test::error_text<OptionError>([&] { run.take(subject_of(framework, sketch), {}); }),
-              text);
+    EXPECT_ERROR(OptionError, text, run.take(subject_of(framework, sketch), {}));
   }
 }
 
@@ -163,13 +154,12 @@ TEST(RigidityTask, CountsAsTheAnalysisDoesThatItIsMadeOf) {
 }
 
 TEST(RigidityTask, OptionsOutOfRangeAreRefused) {
-  const auto refusal_of = [](const RigidityAsked& asked) {
-    return test::error_text<OptionError>([&] { find_rigidity(helix(), asked); });
-  };
-  EXPECT_EQ(refusal_of({.hbond_bars = 0}), "hbond_bars = 0: must be from 1");
-  EXPECT_EQ(refusal_of({.tether_bars = 7}), "tether_bars = 7: must be at most 6");
-  EXPECT_EQ(refusal_of({.free_angles = "element Au"}),
-            "free angles: selection \"element Au\" names no atom");
+  const std::pair<const char*, RigidityAsked> cases[] = {
+      {"hbond_bars = 0: must be from 1", {.hbond_bars = 0}},
+      {"tether_bars = 7: must be at most 6", {.tether_bars = 7}},
+      {"free angles: selection \"element Au\" names no atom", {.free_angles = "element Au"}}};
+  for (const auto& [text, asked] : cases)
+    EXPECT_ERROR(OptionError, text, find_rigidity(helix(), asked));
 }
 
 TEST(RigidityTask, APictureBearsTheNameOfTheFileOrAnother) {

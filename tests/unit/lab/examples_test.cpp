@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/lab/examples/examples.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-
-#include "pliant/base/error.hpp"
+#include "pliant/base/choices.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/lab/generate/random_graphs.hpp"
 #include "support/frameworks.hpp"
 #include "support/rigidity.hpp"
+#include "support/test.hpp"
 
 namespace pliant::examples_test {
 
@@ -138,17 +134,10 @@ TEST_P(GraphClasses, DependOnTheSeedAndTheNumberAlone) {
   EXPECT_NE(once, generate(kind, {}, graph_number(4)).positions);
 }
 
-std::vector<std::string_view> class_names() {
-  std::vector<std::string_view> names;
-  for (const GraphClass& row : graph_classes()) names.push_back(row.name);
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Table, GraphClasses, testing::ValuesIn(class_names()));
+INSTANTIATE_TEST_SUITE_P(Table, GraphClasses, testing::ValuesIn(names_of(graph_classes())));
 
 TEST(Generate, MakesTreesOfAGivenSizeAndCyclesOfAGivenNumber) {
-  GenerateOptions options;
-  options.joints = 10000;
+  GenerateOptions options{.joints = 10000};
   EXPECT_EQ(generate(find_graph_class("tree"), options, graph_number(0)).framework.joint_count(),
             10000u);
   options.joints = 100;
@@ -158,14 +147,8 @@ TEST(Generate, MakesTreesOfAGivenSizeAndCyclesOfAGivenNumber) {
 }
 
 TEST(Generate, NamesABadOption) {
-  GenerateOptions options;
-  options.ring = 2;
-  try {
-    generate(find_graph_class("tree"), options, {});
-    FAIL();
-  } catch (const OptionError& error) {
-    EXPECT_STREQ(error.what(), "ring = 2: must be from 3");
-  }
+  EXPECT_ERROR(OptionError, "ring = 2: must be from 3",
+               generate(find_graph_class("tree"), {.ring = 2}, {}));
 }
 
 /// At once, whatever a tree of 2^63 joints would take.
@@ -181,9 +164,7 @@ TEST(Generate, RefusesSizesThatNoMemoryHolds) {
 }
 
 TEST(Generate, SaysWhenNoPairIsLeft) {
-  GenerateOptions options;
-  options.joints = 4;
-  options.cycles = 4;  // a tree of 4 joints leaves 3 pairs
+  const GenerateOptions options{.cycles = 4, .joints = 4};  // a tree of 4 joints leaves 3 pairs
   EXPECT_THROW(generate(find_graph_class("n-cycle"), options, {}), OptionError);
 }
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/model/contacts/contact_file.hpp"
 
-#include <gtest/gtest.h>
-
-#include "pliant/base/error.hpp"
 #include "pliant/model/contacts/json_rows.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::contact_file_test {
@@ -34,32 +31,14 @@ std::string fault_of(std::string_view text) {
   return test::error_text<InputError>([&] { parse_contacts({"c.csv", text}, two_residues()); });
 }
 
-TEST(ContactList, SlackIsAsDocumented) {
-  const std::vector<MolecularContact> contacts = two_contacts(two_residues());
-  EXPECT_EQ(contacts[0].most, 2.9 + 0.2);
-  EXPECT_EQ(contacts[0].hydrogen_most, 2.0 + 0.2);  // starts at 1.9
-  EXPECT_NEAR(contacts[0].base_least, 2.5, 1e-12);
-  EXPECT_NEAR(contacts[0].base_most, 3.7, 1e-12);
-  EXPECT_EQ(contacts[1].most, 5.5 + 0.5);
-}
-
-TEST(ContactList, ABondIsThreeLimitsOfOneGroup) {
-  const std::vector<Limit> limits = limits_of(two_contacts(two_residues()));
-  ASSERT_EQ(limits.size(), 4U);
-  EXPECT_EQ(limits[0], (Limit{1, 3, 0.0, 2.2, LimitKind::hydrogen_bond, -5.25 * 4.184, 0}));
-  EXPECT_EQ(limits[1].a, 0U);
-  EXPECT_EQ(limits[2].b, 4U);
-  EXPECT_EQ(limits[2].group, 0U);
-  EXPECT_EQ(limits[3].kind, LimitKind::hydrophobic);
-  EXPECT_EQ(limits[3].group, 1U);
-}
-
 TEST(ContactFile, IsReadBackToTheSameBits) {
   const Structure s = two_residues();
   std::vector<MolecularContact> contacts = two_contacts(s);
   contacts[0].energy = -0.1 - 1e-16;
   const std::string text = contacts_as_csv(contacts, s);
   EXPECT_EQ(parse_contacts({"c.csv", text}, s), contacts);
+  EXPECT_EQ(parse_contacts({"c.json", contacts_as_json(contacts, s)}, s), contacts);
+  EXPECT_TRUE(parse_contacts({"c.json", contacts_as_json({}, s)}, s).empty());
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "kind,a,b,hydrogen,base,energy,distance,least,most,hydrogen_most,base_least,base_most");
   EXPECT_NE(text.find("\nhydrogen_bond,A:GLY1:N,A:ALA5:O,A:GLY1:H,A:ALA5:C,"), text.npos);
@@ -68,35 +47,42 @@ TEST(ContactFile, IsReadBackToTheSameBits) {
 
 TEST(ContactFile, WhatIsLeftOutIsMeasured) {
   const Structure s = two_residues();
-  const auto contacts = parse_contacts(
-      {"c.csv", "b, a, kind, hydrogen, base\n# the only one\n3,A:GLY1:N,hydrogen_bond,1,4\n"}, s);
-  ASSERT_EQ(contacts.size(), 1U);
-  EXPECT_EQ(contacts[0].most, 3.1);
-  EXPECT_EQ(contacts[0].energy, -1.0);
+  const SourceText texts[] = {
+      {"c.csv", "b, a, kind, hydrogen, base\n# the only one\n3,A:GLY1:N,hydrogen_bond,1,4\n"},
+      {"c.json",
+       "{\"contacts\": [{\"b\": 3, \"a\": \"A:GLY1:N\", \"kind\": \"hydrogen_bond\", "
+       "\"hydrogen\": 1, \"base\": 4}]}"}};
+  for (const SourceText& text : texts) {
+    const auto contacts = parse_contacts(text, s);
+    ASSERT_EQ(contacts.size(), 1U);
+    EXPECT_EQ(contacts[0].most, 3.1);
+    EXPECT_EQ(contacts[0].energy, -1.0);
+  }
 }
 
 TEST(ContactFile, SaysWhatIsWrong) {
-  EXPECT_EQ(fault_of(""),
-            "c.csv: expected a line of column names with kind, a and b, found no text");
-  EXPECT_EQ(fault_of("kind,a\n"), "c.csv:1: there is no column \"b\"");
-  EXPECT_EQ(fault_of("kind,a,b,a\n"), "c.csv:1: column \"a\" is given twice");
-  EXPECT_EQ(fault_of("kind,a,b,enrgy\n").substr(0, 56),
-            "c.csv:1: no column named \"enrgy\" (did you mean \"energy\"?");
-  EXPECT_EQ(fault_of("kind,a,b\nhydrophobic,2\n"), "c.csv:2: expected 3 fields, found 2");
-  EXPECT_EQ(fault_of("kind,a,b\nhydrophobic,2,A:ALA5:CB\n"),
-            "c.csv:2: there is no atom called \"A:ALA5:CB\"");
-  EXPECT_EQ(fault_of("kind,a,b\nhydrophobic,2,9\n"),
-            "c.csv:2: there is no atom \"9\": there are 5, counted from 0");
-  EXPECT_EQ(fault_of("kind,a,b\nhydrophobic,2,2\n"),
-            "c.csv:2: a, b: expected two atoms, found one twice");
-  EXPECT_EQ(fault_of("kind,a,b\nhydrophobic,2,4\nhydrophobic,4,2\n"),
-            "c.csv:3: a, b: these two are in contact already, by line 2");
-  EXPECT_EQ(fault_of("kind,a,b\nhydrogen_bond,0,3\n"),
-            "c.csv:2: hydrogen: expected an atom, found nothing");
-  EXPECT_EQ(fault_of("kind,a,b,most\nhydrophobic,2,4,nan\n"),
-            "c.csv:2: most: expected a number from 0 to 100000, found \"nan\"");
-  EXPECT_EQ(fault_of("kind,a,b,least,most\nhydrophobic,2,4,5,4\n"),
-            "c.csv:2: least: expected at most 4, found \"5\"");
+  const std::string bond = "kind,a,b,hydrogen,base\nhydrogen_bond,0,3,1,4\n";
+  const std::pair<std::string, const char*> cases[] = {
+      {"", ": expected a line of column names with kind, a and b, found no text"},
+      {"kind,a\n", ":1: there is no column \"b\""},
+      {"kind,a,b,a\n", ":1: column \"a\" is given twice"},
+      {"kind,a,b,enrgy\n", ":1: no column named \"enrgy\" (did you mean \"energy\"?)"},
+      {"kind,a,b\nhydrophobic,2\n", ":2: expected 3 fields, found 2"},
+      {"kind,a,b\nhydrophobic,2,A:ALA5:CB\n", ":2: there is no atom called \"A:ALA5:CB\""},
+      {"kind,a,b\nhydrophobic,2,9\n", ":2: there is no atom \"9\": there are 5, counted from 0"},
+      {"kind,a,b\nhydrophobic,2,2\n", ":2: a, b: expected two atoms, found one twice"},
+      {"kind,a,b\nhydrophobic,2,4\nhydrophobic,4,2\n",
+       ":3: a, b: these two are in contact already, by line 2"},
+      {"kind,a,b\nhydrogen_bond,0,3\n", ":2: hydrogen: expected an atom, found nothing"},
+      {"kind,a,b,most\nhydrophobic,2,4,nan\n",
+       ":2: most: expected a number from 0 to 100000, found \"nan\""},
+      {"kind,a,b,least,most\nhydrophobic,2,4,5,4\n", ":2: least: expected at most 4, found \"5\""},
+      {bond + "hydrogen_bond,0,3,1,4\n",
+       ":3: a, b, hydrogen: these three are in contact already, by line 2"},
+      {bond + "salt_bridge,3,0,1,2\n",
+       ":3: a, b, hydrogen: these three are in contact already, by line 2"}};
+  for (const auto& [text, fault] : cases)
+    EXPECT_THAT(fault_of(text), testing::StartsWith("c.csv" + std::string(fault)));
 }
 
 /// Each binds the other by its own hydrogen.
@@ -116,38 +102,12 @@ TEST(ContactFile, TwoBondsOfOnePairOfHydroxylsAreReadBack) {
   EXPECT_EQ(parse_contacts({"c.json", contacts_as_json(contacts, s)}, s), contacts);
 }
 
-TEST(ContactFile, ABondGivenTwiceIsRefused) {
-  const std::string heading = "kind,a,b,hydrogen,base\n", bond = "hydrogen_bond,0,3,1,4\n";
-  EXPECT_EQ(fault_of(heading + bond + bond),
-            "c.csv:3: a, b, hydrogen: these three are in contact already, by line 2");
-  EXPECT_EQ(fault_of(heading + bond + "salt_bridge,3,0,1,2\n"),
-            "c.csv:3: a, b, hydrogen: these three are in contact already, by line 2");
-}
-
 TEST(ContactFile, AsJsonHasNullForWhatThereIsNot) {
   const Structure s = two_residues();
   const std::string text = contacts_as_json(two_contacts(s), s);
   EXPECT_NE(text.find("{\"kind\": \"hydrophobic\", \"a\": \"A:GLY1:CA\", \"b\": \"A:ALA5:C\", "
                       "\"hydrogen\": null, \"base\": null, \"energy\": -1, "),
             text.npos);
-}
-
-TEST(ContactFile, JsonIsReadBackToTheSameBits) {
-  const Structure s = two_residues();
-  std::vector<MolecularContact> contacts = two_contacts(s);
-  contacts[0].energy = -0.1 - 1e-16;
-  EXPECT_EQ(parse_contacts({"c.json", contacts_as_json(contacts, s)}, s), contacts);
-  EXPECT_TRUE(parse_contacts({"c.json", contacts_as_json({}, s)}, s).empty());
-}
-
-TEST(ContactFile, WhatIsLeftOutOfJsonIsMeasured) {
-  const auto contacts = parse_contacts({"c.json",
-                                        "{\"contacts\": [{\"b\": 3, \"a\": \"A:GLY1:N\", \"kind\": "
-                                        "\"hydrogen_bond\", \"hydrogen\": 1, \"base\": 4}]}"},
-                                       two_residues());
-  ASSERT_EQ(contacts.size(), 1U);
-  EXPECT_EQ(contacts[0].most, 3.1);
-  EXPECT_EQ(contacts[0].energy, -1.0);
 }
 
 TEST(ContactFile, SaysWhatIsWrongInJson) {
@@ -195,23 +155,21 @@ TEST(JsonRows, OnlyBracesAndBracketsLookLikeIt) {
 }
 
 TEST(JsonRows, SaysWhatIsWrong) {
-  EXPECT_EQ(row_fault_of("[]"), "c.json:1: expected {, found \"[\"");
-  EXPECT_EQ(row_fault_of("{\"rows\": []}"), "c.json:1: expected \"list\", found \"rows\"");
-  EXPECT_EQ(row_fault_of("{\"list\":\n[{\"a\": 1]}"), "c.json:2: expected }, found \"]\"");
-  EXPECT_EQ(row_fault_of("{\"list\": [{\"a\": true}]}"),
-            "c.json:1: expected a text, a number or null, found \"t\"");
-  EXPECT_EQ(row_fault_of("{\"list\": [{\"a\": [1]}]}"),
-            "c.json:1: expected a text, a number or null, found \"[\"");
-  EXPECT_EQ(row_fault_of("{\"list\": [{\"a\": 1, \"a\": 2}]}"), "c.json:1: \"a\" is given twice");
-  EXPECT_EQ(row_fault_of("{\"list\": [{\"a\": 1.}]}"),
-            "c.json:1: expected a text, a number or null, found \"}\"");
-  EXPECT_EQ(row_fault_of("{\"list\": [{\"a\": \"\\x\"}]}"),
-            "c.json:1: expected a letter of an escape after \\, found \"x\"");
-  EXPECT_EQ(row_fault_of("{\"list\": [{\"a\": \"\\u00g0\"}]}"),
-            "c.json:1: expected four hexadecimal digits, found \"g\"");
-  EXPECT_EQ(row_fault_of("{\"list\": [{\"a\": \"\\ude00\"}]}"),
-            "c.json:1: expected the first half of a pair before, found the second");
-  EXPECT_EQ(row_fault_of("{\"list\": []} 1"), "c.json:1: expected nothing more, found \"1\"");
+  const std::pair<const char*, const char*> cases[] = {
+      {"[]", "1: expected {, found \"[\""},
+      {"{\"rows\": []}", "1: expected \"list\", found \"rows\""},
+      {"{\"list\":\n[{\"a\": 1]}", "2: expected }, found \"]\""},
+      {"{\"list\": [{\"a\": true}]}", "1: expected a text, a number or null, found \"t\""},
+      {"{\"list\": [{\"a\": [1]}]}", "1: expected a text, a number or null, found \"[\""},
+      {"{\"list\": [{\"a\": 1, \"a\": 2}]}", "1: \"a\" is given twice"},
+      {"{\"list\": [{\"a\": 1.}]}", "1: expected a text, a number or null, found \"}\""},
+      {"{\"list\": [{\"a\": \"\\x\"}]}", "1: expected a letter of an escape after \\, found \"x\""},
+      {"{\"list\": [{\"a\": \"\\u00g0\"}]}", "1: expected four hexadecimal digits, found \"g\""},
+      {"{\"list\": [{\"a\": \"\\ude00\"}]}",
+       "1: expected the first half of a pair before, found the second"},
+      {"{\"list\": []} 1", "1: expected nothing more, found \"1\""}};
+  for (const auto& [text, fault] : cases)
+    EXPECT_EQ(row_fault_of(text), "c.json:" + std::string(fault));
 }
 
 TEST(JsonRows, AnyTextCutShortIsRefused) {

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/model/contacts/contact_list.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <tuple>
-#include <utility>
-
 #include "pliant/base/choices.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/contacts/contact_kinds.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/rigidity/rigidity_network.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::contact_list_test {
@@ -134,15 +127,12 @@ TEST(ContactKinds, ThoseThatAreNotUsualAreFoundWhereTheyAreAskedFor) {
 }
 
 TEST(ContactKinds, AnUnknownOneIsRefusedWithThoseThatAreThere) {
-  const std::string refusal = test::error_text<OptionError>(
-      [] { find_contacts(four_atoms(), {.more_contacts = {"cation_pie"}}); });
-  EXPECT_EQ(refusal,
-            unknown_choice("kind of contact", "cation_pie", names_of(molecular_contact_kinds())));
-  EXPECT_EQ(test::error_text<OptionError>([] {
-              build_model(four_atoms(), {.more_contacts = {"cation_pi"},
-                                         .contacts = std::vector<MolecularContact>{}});
-            }),
-            "more_contacts: goes with contacts that are found, not with given ones");
+  EXPECT_ERROR(OptionError,
+               unknown_choice("kind of contact", "cation_pie", names_of(molecular_contact_kinds())),
+               find_contacts(four_atoms(), {.more_contacts = {"cation_pie"}}));
+  EXPECT_ERROR(OptionError, "more_contacts: goes with contacts that are found, not with given ones",
+               build_model(four_atoms(), {.more_contacts = {"cation_pi"},
+                                          .contacts = std::vector<MolecularContact>{}}));
 }
 
 /// A ring of phenylalanine about the origin in the plane z = 0, CG at x = 1.39.

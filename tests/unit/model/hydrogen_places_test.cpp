@@ -2,24 +2,13 @@
 // Hydrogens and side chains: lengths and angles, and where files of molecules have them.
 #include "pliant/model/prepare/hydrogen_places.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <set>
-#include <sstream>
-#include <string>
-
 #include "pliant/model/atoms/residue_chemistry.hpp"
 #include "pliant/model/prepare/carbon_hydrogens.hpp"
 #include "pliant/model/prepare/edit_structure.hpp"
 #include "pliant/model/prepare/side_chain.hpp"
 #include "pliant/model/prepare/side_chain_geometry.hpp"
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/read/read.hpp"
-#include "support/source_folder.hpp"
+#include "support/molecules.hpp"
+#include "support/test.hpp"
 
 namespace pliant::hydrogen_places_test {
 
@@ -83,20 +72,12 @@ TEST(HydrogenPlaces, WithoutADirectionSomeIsTaken) {
   EXPECT_NEAR(norm(on_line), 1.0, 1e-12);
 }
 
-Structure whole(const char* file) {
-  Structure structure = read_structure(molecule_file(file));
-  perceive_bonds(structure);
-  return structure;
-}
+Structure whole(const char* file) { return test::bonded(molecule_file(file)); }
 
 Structure without_hydrogens(const Structure& structure) {
   std::vector<bool> is_out;
   for (std::uint8_t element : structure.atoms.elements) is_out.push_back(element == 1);
   return without_atoms(structure, is_out).structure;
-}
-
-double degrees(Vec3 a, Vec3 b, Vec3 c) {
-  return std::acos(dot(a - b, c - b) / (distance(a, b) * distance(c, b))) * 180 / std::numbers::pi;
 }
 
 TEST(CarbonHydrogens, AMethylIsAStaggeredTripod) {
@@ -110,7 +91,7 @@ TEST(CarbonHydrogens, AMethylIsAStaggeredTripod) {
     for (std::size_t k = 0; k < places.size(); ++k) {
       EXPECT_NEAR(distance(places[k], bare.positions[parent]), 1.09, 1e-12);
       for (std::size_t j = 0; j < k; ++j)
-        EXPECT_NEAR(degrees(places[k], bare.positions[parent], places[j]), 109.5, 0.2);
+        EXPECT_NEAR(angle(places[k], bare.positions[parent], places[j]), 109.5, 0.2);
     }
   }
 }
@@ -182,7 +163,7 @@ TEST(SideChainGeometry, RowsAreAfterTheAtomsThatTheyArePlacedBy) {
 
 /// CB of a file, which is left out, comes back near where it was, and on the side of L amino acids.
 TEST(SideChainGeometry, CbLiesWhereLAminoAcidsHaveIt) {
-  Structure file = read_structure(molecule_file("peptide_20.pdb"));
+  const Structure file = whole("peptide_20.pdb");
   const ResidueAtoms residues(file.atoms);
   for (std::size_t r = 0; r < file.atoms.residues.size(); ++r) {
     const std::uint32_t cb = residues.find(r, "CB");
@@ -196,8 +177,7 @@ TEST(SideChainGeometry, CbLiesWhereLAminoAcidsHaveIt) {
 
 /// Side chains are built to CB, and then to their ends, with the lengths of their rows.
 TEST(SideChain, AtomsThatAreMissingGetTheLengthsOfTheirRows) {
-  Structure file = read_structure(molecule_file("peptide_20.pdb"));
-  perceive_bonds(file);
+  const Structure file = whole("peptide_20.pdb");
   std::vector<bool> is_out;
   for (std::size_t k = 0; k < file.size(); ++k) {
     const std::string& name = file.atoms.names[k];

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/model/contacts/polar_atoms.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
-#include "pliant/base/error.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/atoms/atom_words.hpp"
 #include "pliant/model/atoms/near_atoms.hpp"
 #include "pliant/model/atoms/residue_nodes.hpp"
 #include "pliant/model/contacts/hydrogen_bond_energy.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/jobs/sampled_molecules.hpp"
 #include "unit/molecule/made_structure.hpp"
 

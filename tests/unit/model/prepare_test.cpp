@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/model/prepare/prepare.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "pliant/base/error.hpp"
 #include "pliant/model/prepare/hydrogen_places.hpp"
 #include "pliant/model/prepare/survey.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::prepare_test {
@@ -53,11 +45,6 @@ Vec3 position_of(const Structure& s, const std::string& name) {
 double degrees(Vec3 one, Vec3 at, Vec3 other) {
   const Vec3 u = one - at, v = other - at;
   return std::acos(dot(u, v) / norm(u) / norm(v)) * 180.0 / std::numbers::pi;
-}
-
-TEST(HydrogenPlaces, TensOfDegreesAreThoseOfTheCosine) {
-  for (int tens = -40; tens < 80; ++tens)
-    EXPECT_NEAR(cosine_of_tens(tens), std::cos(tens * std::numbers::pi / 18.0), 4e-15);
 }
 
 TEST(Prepare, PlacesHistidinesHydrogenByForm) {
@@ -133,8 +120,7 @@ TEST(Prepare, TakesDummyAtomsOfAMembraneOut) {
   EXPECT_EQ(ready.steps[0], "3 dummy residues (DUM) taken out");
   Structure nothing;
   add_residue(nothing, "DUM", 1, {{"O", "O", {0, 0, 0}}});
-  EXPECT_EQ(test::error_text<InputError>([&] { prepare(nothing); }),
-            "holds nothing but dummy atoms");
+  EXPECT_ERROR(InputError, "holds nothing but dummy atoms", prepare(nothing));
 }
 
 TEST(Prepare, TakesSeleniumAsSulphur) {
@@ -201,52 +187,16 @@ TEST(Prepare, PlacesTheHydrogensOfBases) {
   EXPECT_NEAR(distance(position_of(ready, "H3"), {0, -1.01, 0}), 0.0, 1e-12);
 }
 
-std::string fault_of(const Structure& s, std::vector<std::string> protonate = {}) {
-  return test::error_text<Error>([&] { prepare(s, {.protonate = std::move(protonate)}); });
-}
-
 TEST(Prepare, SaysWhatItCannotPrepare) {
-  Structure waters;
+  Structure waters, trace;
   add_residue(waters, "HOH", 1, water({0, 0, 0}));
-  EXPECT_EQ(fault_of(with_bonds(waters)), "made.pdb: holds nothing but water");
-  Structure trace;
-  add_residue(trace, "ALA", 1, {{"CA", "C", {0, 0, 0}}});
-  add_residue(trace, "ALA", 2, {{"CA", "C", {3.8, 0, 0}}});
-  EXPECT_EQ(fault_of(with_bonds(trace)),
-            "made.pdb: holds CA atoms alone: a model of a protein needs N, CA, C and O at least; "
-            "Pliant has none of CA, but elastic networks need no more (ANM of ProDy)");
-}
-
-TEST(Prepare, SaysWhatIsWrongWithAForm) {
-  Structure s;
-  add_residue(s, "HIS", 7, histidine());
-  auto other = histidine();
-  for (MadeAtom& atom : other) atom.position.z += 20.0;
-  add_residue(s, "HIS", 7, other, "B");
-  s = with_bonds(s);
-  EXPECT_EQ(fault_of(s, {"HIS7"}),
-            "protonate: expected RESIDUE:FORM such as HIS57:HID or A:HIS57:HID, found \"HIS7\"");
-  EXPECT_EQ(fault_of(s, {"HIS7:HID"}),
-            "protonate: \"HIS7:HID\": 2 residues are \"HIS7\"; say which chain, as in "
-            "\"A:HIS7:HID\"");
-  EXPECT_EQ(fault_of(s, {"A:HIS8:HID"}),
-            "protonate: \"A:HIS8:HID\": there is no residue \"HIS8\" in chain \"A\"");
-  EXPECT_EQ(fault_of(s, {"A:HIS7:ASH"}), "protonate: \"A:HIS7:ASH\": ASH is a form of ASP");
-  EXPECT_EQ(fault_of(s, {"A:HIS7:HIF"}).substr(0, 35), "no form of a residue named \"HIF\" (d");
-}
-
-TEST(Survey, NamesWhatIsMissing) {
-  Structure s;
-  add_residue(s, "SER", 3, {{"CB", "C", {0, 0, 0}}});
-  add_residue(s, "GLY", 4, glycine({20, 0, 0}));
-  add_residue(s, "GLY", 6, glycine({40, 0, 0}));
-  add_residue(s, "ZN", 9, {{"ZN", "Zn", {60, 0, 0}}});
-  s = with_bonds(s);
-  const Survey found = survey(s);
-  EXPECT_THAT(missing_parts(s, found),
-              ElementsAre("side chains: 1 residue lacks atoms: A:SER3 (OG)",
-                          "1 chain break: A:GLY4 - A:GLY6"));
-  EXPECT_THAT(found_parts(s, found), ElementsAre("metals: A:ZN9"));
+  EXPECT_ERROR(InputError, "made.pdb: holds nothing but water", prepare(with_bonds(waters)));
+  for (int k = 1; k < 3; ++k) add_residue(trace, "ALA", k, {{"CA", "C", {3.8 * k, 0, 0}}});
+  EXPECT_ERROR(
+      InputError,
+      "made.pdb: holds CA atoms alone: a model of a protein needs N, CA, C and O at least; "
+      "Pliant has none of CA, but elastic networks need no more (ANM of ProDy)",
+      prepare(with_bonds(trace)));
 }
 
 }  // namespace pliant::prepare_test

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/model/prepare/select_part.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <set>
-#include <string>
-#include <vector>
-
-#include "pliant/base/error.hpp"
 #include "pliant/model/prepare/additives.hpp"
 #include "pliant/model/prepare/edit_structure.hpp"
 #include "pliant/model/prepare/largest_molecule.hpp"
@@ -16,7 +8,7 @@
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/crystal_additives.hpp"
 #include "pliant/molecule/read/read.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::select_part_test {
@@ -84,8 +76,8 @@ TEST(SelectPart, OfAllIsTheSame) {
 }
 
 TEST(SelectPart, OfNothingIsRefused) {
-  EXPECT_EQ(test::error_text<OptionError>([] { select_part(whole(), "nucleic"); }),
-            "select: selection \"nucleic\" names no atom");
+  EXPECT_ERROR(OptionError, "select: selection \"nucleic\" names no atom",
+               select_part(whole(), "nucleic"));
   EXPECT_THROW(select_part(whole(), "name"), OptionError);
 }
 
@@ -105,8 +97,7 @@ TEST(EditStructure, WithoutAtomsBondsAndResiduesFollow) {
   ASSERT_EQ(s.atoms.residues.size(), 1U);
   EXPECT_EQ(s.atoms.residues[0].name, "GLY");
   EXPECT_EQ(s.atoms.residue_of, (std::vector<std::uint32_t>{0, 0, 0, 0}));
-  EXPECT_EQ(test::bond_texts(s),
-            (std::vector<std::string>{"0-1 residue", "1-2 residue", "2-3 residue"}));
+  EXPECT_EQ(test::bonds_text(s), "0-1 1-2 2-3 residue");
 }
 
 TEST(EditStructure, NewAtomsAreTheLastOfTheirResidue) {
@@ -190,9 +181,11 @@ TEST(Additives, StayWhereTheyAreKept) {
   EXPECT_THAT(find_additives(s, {"all"}).out, IsEmpty());
   EXPECT_THAT(find_additives(s, {"DMS"}).out, ElementsAre(3));
   EXPECT_EQ(prepare(s, {.keep = {"FMT", "DMS"}}).structure.atoms.residues.size(), 4U);
-  EXPECT_EQ(test::error_text<OptionError>([&] { find_additives(s, {"DNS"}); }),
-            "keep: expected all or names of additives such as GOL or SO4, found \"DNS\" (did you "
-            "mean DMS?)");
+  EXPECT_ERROR(
+      OptionError,
+      "keep: expected all or names of additives such as GOL or SO4, found \"DNS\" (did you "
+      "mean DMS?)",
+      find_additives(s, {"DNS"}));
 }
 
 TEST(Additives, AreMoleculesLikeOthersWithoutAPolymer) {

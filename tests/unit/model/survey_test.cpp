@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/model/prepare/survey.hpp"
 
-#include <gtest/gtest.h>
-
-#include "pliant/base/error.hpp"
 #include "pliant/model/prepare/protonation.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::survey_test {
@@ -48,7 +45,10 @@ TEST(Survey, NamesWhatIsMissing) {
   ASSERT_EQ(found.breaks.size(), 2U);
   EXPECT_EQ(found.breaks[0].before, 0U);
   EXPECT_EQ(found.breaks[0].after, 1U);
-  EXPECT_EQ(missing_parts(s, found).size(), 2U);
+  EXPECT_THAT(missing_parts(s, found),
+              testing::ElementsAre("side chains: 1 residue lacks atoms: A:SER6 (OG)",
+                                   "2 chain breaks: A:GLY1 - A:GLY5, A:GLY5 - A:SER6"));
+  EXPECT_THAT(found_parts(s, found), testing::Contains("metals: W:ZN8"));
   EXPECT_EQ(found_parts(s, found).size(), 3U);
 }
 
@@ -115,18 +115,17 @@ TEST(Protonation, WishesThatMeanNothingAreRefused) {
   Structure s = with_histidine();
   test::add_residue(s, "ASP", 25, {}, "A");
   test::add_residue(s, "ASP", 25, {}, "B");
-  const auto refusal = [&](const char* wish) {
-    return test::error_text<OptionError>([&] { protonation_of(s, {wish}); });
-  };
-  EXPECT_EQ(refusal("HIS57"),
-            "protonate: expected RESIDUE:FORM such as HIS57:HID or A:HIS57:HID, found \"HIS57\"");
-  EXPECT_EQ(refusal("HIS58:HID"), "protonate: \"HIS58:HID\": there is no residue \"HIS58\"");
-  EXPECT_EQ(refusal("C:HIS57:HID"),
-            "protonate: \"C:HIS57:HID\": there is no residue \"HIS57\" in chain \"C\"");
-  EXPECT_EQ(refusal("ASP25:ASH"),
-            "protonate: \"ASP25:ASH\": 2 residues are \"ASP25\"; say which chain, as in "
-            "\"A:ASP25:ASH\"");
-  EXPECT_EQ(refusal("HIS57:ASH"), "protonate: \"HIS57:ASH\": ASH is a form of ASP");
+  const std::pair<const char*, const char*> cases[] = {
+      {"HIS57", "expected RESIDUE:FORM such as HIS57:HID or A:HIS57:HID, found \"HIS57\""},
+      {"HIS58:HID", "\"HIS58:HID\": there is no residue \"HIS58\""},
+      {"C:HIS57:HID", "\"C:HIS57:HID\": there is no residue \"HIS57\" in chain \"C\""},
+      {"ASP25:ASH",
+       "\"ASP25:ASH\": 2 residues are \"ASP25\"; say which chain, as in \"A:ASP25:ASH\""},
+      {"HIS57:ASH", "\"HIS57:ASH\": ASH is a form of ASP"}};
+  for (const auto& [wish, fault] : cases)
+    EXPECT_ERROR(OptionError, "protonate: " + std::string(fault), protonation_of(s, {wish}));
+  EXPECT_THAT(test::error_text<OptionError>([&] { protonation_of(s, {"HIS57:HIF"}); }),
+              testing::StartsWith("no form of a residue named \"HIF\" (d"));
 }
 
 }  // namespace pliant::survey_test

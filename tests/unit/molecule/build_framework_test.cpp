@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/molecule/build_framework.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <limits>
-
-#include "pliant/base/error.hpp"
 #include "pliant/molecule/bars_file.hpp"
-#include "support/error_text.hpp"
-#include "support/temp_directory.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::build_framework_test {
@@ -53,32 +45,17 @@ TEST(BuildFramework, MakesABarOfEachBondWithItsLengthAndMasses) {
 }
 
 TEST(BuildFramework, CanLeaveMassesOut) {
-  BuildOptions options;
-  options.use_masses = false;
-  const Framework f = build_framework(chain_of({{"C", {}}, {"O", {1.4, 0, 0}}}), options);
+  const Framework f =
+      build_framework(chain_of({{"C", {}}, {"O", {1.4, 0, 0}}}), {.use_masses = false});
   EXPECT_THAT(f.inverse_masses(), ElementsAre(1.0, 1.0));
 }
 
 TEST(BuildFramework, PutsABarAcrossEachAngle) {
-  BuildOptions options;
-  options.bars = BarKind::angles;
   const Framework f = build_framework(
-      chain_of({{"C", {}}, {"C", {1.5, 0, 0}}, {"C", {1.5, 1.5, 0}}, {"C", {3, 1.5, 0}}}), options);
+      chain_of({{"C", {}}, {"C", {1.5, 0, 0}}, {"C", {1.5, 1.5, 0}}, {"C", {3, 1.5, 0}}}),
+      {.bars = BarKind::angles});
   EXPECT_THAT(bar_texts(f), ElementsAre("0-1", "1-2", "2-3", "0-2", "1-3"));
   EXPECT_DOUBLE_EQ(f.rest_lengths()[3], std::sqrt(4.5));
-}
-
-TEST(BuildFramework, PutsOneBarAcrossARingsTwoAngles) {
-  BuildOptions options;
-  options.bars = BarKind::angles;
-  const std::vector<std::pair<const char*, Vec3>> square{
-      {"C", {}}, {"C", {1.5, 0, 0}}, {"C", {1.5, 1.5, 0}}, {"C", {0, 1.5, 0}}};
-  const Framework f = build_framework(chain_of(square, true), options);
-  EXPECT_THAT(bar_texts(f), ElementsAre("0-1", "1-2", "2-3", "0-3", "0-2", "1-3"));
-  EXPECT_EQ(f.merged_bar_count(), 0U);
-  const Framework triangle = build_framework(
-      chain_of({{"C", {}}, {"C", {1.5, 0, 0}}, {"C", {0.75, 1.3, 0}}}, true), options);
-  EXPECT_THAT(bar_texts(triangle), ElementsAre("0-1", "1-2", "0-2"));
 }
 
 TEST(BuildFramework, MergesABondGivenTwice) {
@@ -98,9 +75,8 @@ TEST(BuildFramework, TakesNoBondsAndNoAtoms) {
 TEST(BuildFramework, RefusesBarsOfNoLengthNamingBothAtoms) {
   EXPECT_EQ(refusal<InputError>(chain_of({{"C", {1, 2, 3}}, {"O", {1, 2, 3}}})),
             "some.xyz: bar C(1) - O(2) has length 0: both atoms are at (1.000, 2.000, 3.000)");
-  BuildOptions options;
-  options.bars = BarKind::angles;
-  EXPECT_EQ(refusal<InputError>(chain_of({{"H", {}}, {"C", {1, 0, 0}}, {"O", {}}}), options),
+  EXPECT_EQ(refusal<InputError>(chain_of({{"H", {}}, {"C", {1, 0, 0}}, {"O", {}}}),
+                                {.bars = BarKind::angles}),
             "some.xyz: bar H(1) - O(3) has length 0: both atoms are at (0.000, 0.000, 0.000)");
 }
 
@@ -117,37 +93,23 @@ TEST(BuildFramework, RefusesAnglesAtAStar) {
     add_residue(s, "X", i, {{"H", "H", {0.1 * i, 0, 0}}});
     s.bonds.push_back({0, i});
   }
-  BuildOptions options;
-  options.bars = BarKind::angles;
-  EXPECT_EQ(refusal<InputError>(s, options),
+  EXPECT_EQ(refusal<InputError>(s, {.bars = BarKind::angles}),
             "atom UNK1:C has 65 bonds: bars across angles are for at most 64");
 }
 
 TEST(BuildFramework, PinsSelectedAtoms) {
-  BuildOptions options;
-  options.pin = "element O or index 0";
-  const Framework f =
-      build_framework(chain_of({{"C", {}}, {"O", {1.4, 0, 0}}, {"H", {1.4, 1, 0}}}), options);
+  const Structure s = chain_of({{"C", {}}, {"O", {1.4, 0, 0}}, {"H", {1.4, 1, 0}}});
+  const Framework f = build_framework(s, {.pin = "element O or index 0"});
   EXPECT_TRUE(f.is_pinned(0));
   EXPECT_TRUE(f.is_pinned(1));
   EXPECT_FALSE(f.is_pinned(2));
-}
-
-TEST(BuildFramework, RefusesASelectionOfNothing) {
-  BuildOptions options;
-  options.pin = "name CA";
-  EXPECT_EQ(refusal<OptionError>(chain_of({{"C", {}}, {"O", {1.4, 0, 0}}}), options),
+  EXPECT_EQ(refusal<OptionError>(s, {.pin = "name CA"}),
             "pin: selection \"name CA\" names no atom");
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Carbons along x, 1.5 Angstrom apart, and an oxygen at the end; a bond between neighbours.
 Structure chain() {
-  Structure s = molecule({{"C", {}}, {"C", {1.5, 0, 0}}, {"C", {3, 0, 0}}, {"O", {4.5, 0, 0}}});
-  s.source = "some.xyz";
-  for (std::uint32_t i = 0; i < 3; ++i) s.bonds.push_back({i, i + 1});
-  return s;
+  return chain_of({{"C", {}}, {"C", {1.5, 0, 0}}, {"C", {3, 0, 0}}, {"O", {4.5, 0, 0}}});
 }
 
 Framework joints_of(const Structure& s) {
@@ -169,19 +131,6 @@ Framework framework_of(const Structure& s, const std::string& lines,
 Framework framework_of(const Structure& s, const std::string& lines) {
   const test::TempDirectory directory;
   return framework_of(s, lines, directory / "bars.txt");
-}
-
-TEST(BarsFile, HoldsBarsAndLimits) {
-  const BarsFile file = parse(
-      "bars bonds\nbar 0 2\nbar 0 3 4.25\nlimit 1 3 2.5 inf\n"
-      "limit 0 3 0 3.5 hydrogen_bond -12.5 3\n");
-  EXPECT_EQ(file.bars, BarKind::bonds);
-  EXPECT_EQ(file.stated, (std::vector<StatedBar>{{{0, 2}, std::nullopt}, {{0, 3}, 4.25}}));
-  EXPECT_EQ(file.limits,
-            (std::vector<Limit>{{1, 3, 2.5, infinity},
-                                {0, 3, 0.0, 3.5, LimitKind::hydrogen_bond, -12.5, 3}}));
-  EXPECT_FALSE(file.sterics);
-  EXPECT_EQ(parse("").bars, BarKind::none);
 }
 
 TEST(BarsFile, KindsOfJointAreElementsUnlessSaid) {
@@ -209,12 +158,13 @@ TEST(BarsFile, IsReadBackToTheSameBits) {
 TEST(BarsFile, SaysWhatNoLineCanState) {
   BarsFile file = parse("sterics C C 2.5\n");
   file.sterics->sterics.units.assign(4, no_unit);
-  EXPECT_EQ(test::error_text<InputError>([&] { write_bars_file(file, joints_of(chain())); }),
-            "bars file: no line can state units and bonds of sterics");
+  EXPECT_ERROR(InputError, "bars file: no line can state units and bonds of sterics",
+               write_bars_file(file, joints_of(chain())));
   file = parse("sterics C C 2.5\n");
   file.sterics->kind_names = {"a b", ""};
-  EXPECT_EQ(test::error_text<InputError>([&] { write_bars_file(file, joints_of(chain())); }),
-            "bars file: expected names of the kinds of joint, ascending, the last empty");
+  EXPECT_ERROR(InputError,
+               "bars file: expected names of the kinds of joint, ascending, the last empty",
+               write_bars_file(file, joints_of(chain())));
 }
 
 TEST(TakeBars, PutsStatedBarsInThePlaceOfBonds) {
@@ -240,18 +190,18 @@ TEST(TakeBars, TakesNamesToo) {
   BuildOptions options;
   take_bars("angles", chain(), options);
   EXPECT_EQ(options.bars, BarKind::angles);
-  EXPECT_EQ(
-      test::error_text<OptionError>([&] { take_bars("bond", chain(), options); }),
+  EXPECT_ERROR(
+      OptionError,
       "no kind of bars (or bars file) named \"bond\" (did you mean \"bonds\"?); known: bonds, "
-      "angles, none");
+      "angles, none",
+      take_bars("bond", chain(), options));
 }
 
 TEST(TakeBars, NamesTheFileOfALimitThatABarForbids) {
   const test::TempDirectory directory;
   const auto path = directory / "bars.txt";
-  EXPECT_EQ(test::error_text<InputError>(
-                [&] { framework_of(chain(), "bars bonds\nlimit 0 1 1 2\n", path); }),
-            path.string() + ": limit C(1) - C(2) has a bar already, of 1.5 Angstrom");
+  EXPECT_ERROR(InputError, path.string() + ": limit C(1) - C(2) has a bar already, of 1.5 Angstrom",
+               framework_of(chain(), "bars bonds\nlimit 0 1 1 2\n", path));
 }
 
 }  // namespace pliant::build_framework_test

@@ -55,18 +55,24 @@ inline std::vector<MadeAtom> water(Vec3 at) {
           {"HW2", "H", at + Vec3{-0.24, 0.93, 0}}};
 }
 
-/// "0-1 residue", one a bond.
-inline std::vector<std::string> bond_texts(const Structure& s) {
-  std::vector<std::string> texts;
-  for (const Bond& bond : s.bonds)
-    texts.push_back(std::to_string(bond.a) + "-" + std::to_string(bond.b) + " " +
-                    std::string(bond_origin_names[static_cast<std::size_t>(bond.origin)]));
-  return texts;
+/// "0-1 1-2 residue, 1-3 link": bonds in their order, with origins.
+inline std::string bonds_text(const Structure& s) {
+  std::string text;
+  std::string_view before;
+  for (const Bond& bond : s.bonds) {
+    const std::string_view origin = bond_origin_names[static_cast<std::size_t>(bond.origin)];
+    if (!text.empty()) text += origin == before ? " " : " " + std::string(before) + ", ";
+    text += std::to_string(bond.a) + "-" + std::to_string(bond.b);
+    before = origin;
+  }
+  return text.empty() ? "" : text + " " + std::string(before);
 }
 
 /// What perceive_bonds finds, and what it says on the way.
 struct Perceived {
-  std::vector<std::string> bonds, messages;
+  std::string bonds;
+  std::size_t count = 0;  ///< of bonds
+  std::vector<std::string> messages;
 };
 
 inline Perceived perceive(Structure s, BondOptions options = {}) {
@@ -76,7 +82,8 @@ inline Perceived perceive(Structure s, BondOptions options = {}) {
                               std::string(text));
   };
   perceive_bonds(s, options);
-  result.bonds = bond_texts(s);
+  result.bonds = bonds_text(s);
+  result.count = s.bonds.size();
   return result;
 }
 

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/molecule/planar_groups.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
-
 #include "pliant/molecule/aromaticity.hpp"
 #include "pliant/molecule/build_framework.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::planar_groups_test {
@@ -171,15 +164,12 @@ std::uint32_t number(char c) {
 }
 
 Structure made(const Case& of) {
-  std::vector<std::string> symbols;
-  for (const char* at = of.elements; *at != '\0'; ++at) symbols.emplace_back(1, *at);
-  std::vector<std::pair<const char*, Vec3>> atoms;
-  for (const std::string& symbol : symbols) atoms.emplace_back(symbol.c_str(), Vec3{});
-  Structure s = molecule(atoms);
+  std::vector<Bond> bonds;
   const std::string text = of.bonds;
   for (std::size_t k = 0; k + 3 < text.size(); k += 5)
-    s.bonds.push_back({number(text[k]), number(text[k + 1]), BondOrigin::file,
-                       static_cast<std::uint8_t>(number(text[k + 3]))});
+    bonds.push_back(
+        bond(number(text[k]), number(text[k + 1]), static_cast<std::uint8_t>(number(text[k + 3]))));
+  Structure s = made(of.elements, bonds);
   s.charges.assign(s.size(), 0);
   for (const auto& [atom, charge] : of.charges)
     s.charges[static_cast<std::size_t>(atom)] = static_cast<std::int8_t>(charge);

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/molecule/selection.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <set>
-#include <string>
-
-#include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/molecule/bond_lengths.hpp"
 #include "pliant/molecule/structure/residue_templates.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::selection_test {
@@ -88,40 +82,27 @@ std::string refusal(std::string_view text) {
 }
 
 TEST(Selection, SaysWhatItCannotUnderstand) {
-  EXPECT_EQ(refusal(""),
-            "selection \"\": expected a word that selects atoms, found the end at character 1");
-  EXPECT_EQ(refusal("nam CA"),
-            "selection \"nam CA\": expected a word that selects atoms (did you mean \"name\"?), "
-            "found \"nam\" at character 1");
-  EXPECT_EQ(refusal("protein water"),
-            "selection \"protein water\": expected \"and\", \"or\" or the end, found \"water\" at "
-            "character 9");
-  EXPECT_EQ(refusal("name and water"),
-            "selection \"name and water\": \"name\" needs names, found \"and\" at character 6");
-  EXPECT_EQ(
-      refusal("resid"),
-      "selection \"resid\": \"resid\" needs numbers and ranges, found the end at character 6");
-  EXPECT_EQ(refusal("resid 3x-"),
-            "selection \"resid 3x-\": \"resid\" takes numbers and ranges such as 3-8 or 3:8, found "
-            "\"3x-\" at character 7");
-  EXPECT_EQ(refusal("index 1.5"),
-            "selection \"index 1.5\": \"index\" takes numbers and ranges such as 3-8 or 3:8, found "
-            "\"1.5\" at character 7");
-  EXPECT_EQ(refusal("index 8-3"),
-            "selection \"index 8-3\": a range goes from the lower number to the higher, found "
-            "\"8-3\" at character 7");
-  EXPECT_EQ(refusal("name C[AB]"),
-            "selection \"name C[AB]\": a name may hold * and ? but no brackets, found \"C[AB]\" at "
-            "character 6");
-  EXPECT_EQ(refusal("(water"),
-            "selection \"(water\": the parenthesis at character 1 is not closed");
-  EXPECT_EQ(refusal("water)"),
-            "selection \"water)\": no parenthesis is open, found \")\" at character 6");
-  EXPECT_EQ(refusal("not"),
-            "selection \"not\": expected a word that selects atoms, found the end at character 4");
-  EXPECT_EQ(refusal("name \x1b[2J"),
-            "selection \"name \\x1b[2J\": a name may hold * and ? but no brackets, found "
-            "\"\\x1b[2J\" at character 6");
+  const std::pair<const char*, const char*> cases[] = {
+      {"", "expected a word that selects atoms, found the end at character 1"},
+      {"nam CA",
+       "expected a word that selects atoms (did you mean \"name\"?), found \"nam\" at character 1"},
+      {"protein water", "expected \"and\", \"or\" or the end, found \"water\" at character 9"},
+      {"name and water", "\"name\" needs names, found \"and\" at character 6"},
+      {"resid", "\"resid\" needs numbers and ranges, found the end at character 6"},
+      {"resid 3x-",
+       "\"resid\" takes numbers and ranges such as 3-8 or 3:8, found \"3x-\" at character 7"},
+      {"index 1.5",
+       "\"index\" takes numbers and ranges such as 3-8 or 3:8, found \"1.5\" at character 7"},
+      {"index 8-3",
+       "a range goes from the lower number to the higher, found \"8-3\" at character 7"},
+      {"name C[AB]", "a name may hold * and ? but no brackets, found \"C[AB]\" at character 6"},
+      {"(water", "the parenthesis at character 1 is not closed"},
+      {"water)", "no parenthesis is open, found \")\" at character 6"},
+      {"not", "expected a word that selects atoms, found the end at character 4"},
+      {"name \x1b[2J",
+       "a name may hold * and ? but no brackets, found \"\\x1b[2J\" at character 6"}};
+  for (const auto& [text, fault] : cases)
+    EXPECT_EQ(refusal(text), "selection " + quoted(text) + ": " + fault);
 }
 
 TEST(Selection, ListsItsWords) {

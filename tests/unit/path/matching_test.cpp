@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/path/matching.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-
-#include "pliant/base/error.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/path/sequence.hpp"
 #include "pliant/path/shared_contacts.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::matching_test {
@@ -89,10 +82,10 @@ TEST(MatchResidues, OfEqualChainsThoseOfOneNameGoTogether) {
 }
 
 TEST(MatchResidues, AnotherMoleculeIsRefused) {
-  EXPECT_EQ(
-      test::error_text<InputError>([] { match_residues(chain("ACDEF"), chain("WWWWW"), "b.pdb"); }),
-      "b.pdb: only 0 of 5 residues of ours are in it, matched by sequence: is it the same "
-      "molecule? pliant compare --select chooses parts of both");
+  EXPECT_ERROR(InputError,
+               "b.pdb: only 0 of 5 residues of ours are in it, matched by sequence: is it the same "
+               "molecule? pliant compare --select chooses parts of both",
+               match_residues(chain("ACDEF"), chain("WWWWW"), "b.pdb"));
   EXPECT_THROW(match_residues(chain("AC"), chain("AC"), "b.pdb"), InputError);
 }
 
@@ -178,14 +171,6 @@ Structure salt(bool swapped, std::int64_t ion = 900) {
   return s;
 }
 
-MolecularContact contact(MolecularContactKind kind, std::uint32_t a, std::uint32_t b) {
-  MolecularContact one;
-  one.kind = kind;
-  one.a = a;
-  one.b = b;
-  return one;
-}
-
 SharedContacts shared(const Structure& ours, const std::vector<MolecularContact>& our_contacts,
                       const Structure& theirs,
                       const std::vector<MolecularContact>& their_contacts) {
@@ -196,7 +181,8 @@ SharedContacts shared(const Structure& ours, const std::vector<MolecularContact>
 
 TEST(SharedContacts, AtomsThatAreAlikeAreOne) {
   const Structure ours = salt(false), theirs = salt(true);
-  const auto found = shared(ours, {contact(bond, 2, 0)}, theirs, {contact(bond, 2, 0)});
+  const auto found =
+      shared(ours, {MolecularContact{bond, 2, 0}}, theirs, {MolecularContact{bond, 2, 0}});
   EXPECT_THAT(found.ours, SizeIs(1));
   EXPECT_THAT(found.theirs, SizeIs(1));
   EXPECT_THAT(found.only_ours, IsEmpty());
@@ -204,8 +190,9 @@ TEST(SharedContacts, AtomsThatAreAlikeAreOne) {
 
 TEST(SharedContacts, JoinInEitherOrderButOfOneKind) {
   const Structure s = salt(false);
-  EXPECT_THAT(shared(s, {contact(tether, 2, 0)}, s, {contact(tether, 0, 2)}).ours, SizeIs(1));
-  const auto other = shared(s, {contact(tether, 2, 0)}, s, {contact(bond, 2, 0)});
+  EXPECT_THAT(shared(s, {MolecularContact{tether, 2, 0}}, s, {MolecularContact{tether, 0, 2}}).ours,
+              SizeIs(1));
+  const auto other = shared(s, {MolecularContact{tether, 2, 0}}, s, {MolecularContact{bond, 2, 0}});
   EXPECT_THAT(other.ours, IsEmpty());
   EXPECT_THAT(other.only_ours, SizeIs(1));
   EXPECT_THAT(other.only_theirs, SizeIs(1));
@@ -213,7 +200,8 @@ TEST(SharedContacts, JoinInEitherOrderButOfOneKind) {
 
 TEST(SharedContacts, ThoseOfWhatIsNotMatchedAreInNone) {
   const Structure ours = salt(false), theirs = salt(false, 901);
-  const auto found = shared(ours, {contact(bond, 3, 0)}, theirs, {contact(bond, 3, 0)});
+  const auto found =
+      shared(ours, {MolecularContact{bond, 3, 0}}, theirs, {MolecularContact{bond, 3, 0}});
   EXPECT_THAT(found.ours, IsEmpty());
   EXPECT_THAT(found.only_ours, IsEmpty());
   EXPECT_THAT(found.only_theirs, IsEmpty());
@@ -223,11 +211,12 @@ TEST(SharedContacts, LigandsAreMatchedByChainNumberAndName) {
   const Structure s = salt(false);
   EXPECT_THAT(with_ligands(s, s, {{0, 1}, {0, 1}}).ours, ElementsAre(0, 1, 2));
   EXPECT_THAT(with_ligands(s, salt(false, 901), {{0, 1}, {0, 1}}).ours, ElementsAre(0, 1));
-  EXPECT_THAT(shared(s, {contact(bond, 3, 0)}, s, {contact(bond, 3, 0)}).ours, SizeIs(1));
+  EXPECT_THAT(shared(s, {MolecularContact{bond, 3, 0}}, s, {MolecularContact{bond, 3, 0}}).ours,
+              SizeIs(1));
 }
 
 TEST(SharedContacts, OutsideIsHowFarADistanceIsFromItsInterval) {
-  MolecularContact one = contact(tether, 0, 1);
+  MolecularContact one = MolecularContact{tether, 0, 1};
   one.least = 1.0;
   one.most = 2.0;
   EXPECT_EQ(outside(one, std::vector<Vec3>{{}, {0.25, 0, 0}}), 0.75);

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/path/path.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <future>
 
-#include "pliant/base/error.hpp"
 #include "pliant/base/math/superposition.hpp"
 #include "pliant/path/detour.hpp"
 #include "pliant/path/march.hpp"
 #include "pliant/path/path_walker.hpp"
 #include "pliant/path/turn_ways.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 #include "unit/path/bent_helix.hpp"
 
 namespace pliant::path_test {
@@ -49,6 +43,7 @@ TEST(Path, ArrivesWithEveryBarWhole) {
   EXPECT_LT(path.frames.back().to_end, 0.5);
   EXPECT_LT(worst_bar(path), 1e-10);
   EXPECT_EQ(path.ends->matched, 20U);
+  EXPECT_EQ(path.turned, 0.0);
 }
 
 TEST(Path, HoldsTheContactsOfBothAndLosesThoseOfTheStart) {
@@ -163,14 +158,13 @@ TEST(PathTable, TightPlacesAreThoseThatOverlapMost) {
 }
 
 TEST(PathOptions, OutOfRangeAreRefused) {
-  const auto said = [](PathOptions options) {
-    return test::error_text<OptionError>([&] { check(options); });
-  };
-  EXPECT_EQ(said({.step = 0.0}), "step = 0: must be positive and finite");
-  EXPECT_EQ(said({.step = 2.5}), "step = 2.5: must be at most 2 Angstrom");
-  EXPECT_EQ(said({.backtrack = -1}), "backtrack = -1: must be from 0");
-  EXPECT_EQ(said({.backtrack = 1001}), "backtrack = 1001: must be at most 1000");
-  EXPECT_EQ(said({.atoms = "all"}), "no atoms named \"all\"; known: CA, heavy");
+  const std::pair<const char*, PathOptions> cases[] = {
+      {"step = 0: must be positive and finite", {.step = 0.0}},
+      {"step = 2.5: must be at most 2 Angstrom", {.step = 2.5}},
+      {"backtrack = -1: must be from 0", {.backtrack = -1}},
+      {"backtrack = 1001: must be at most 1000", {.backtrack = 1001}},
+      {"no atoms named \"all\"; known: CA, heavy", {.atoms = "all"}}};
+  for (const auto& [text, options] : cases) EXPECT_ERROR(OptionError, text, check(options));
 }
 
 TEST(PathEnds, AnotherMoleculeIsRefused) {
@@ -244,28 +238,19 @@ TEST(TurnWays, SmallTurnsHaveNone) {
   EXPECT_TRUE(find_turn_ways(ends.start, ends.goal).empty());
 }
 
-TEST(TurnWays, TheStraightWayComesFirst) {
-  const MolecularPath path = find_path(helix(), bent(helix(), 9, 60.0));
-  EXPECT_TRUE(path.has_arrived);
-  EXPECT_EQ(path.turned, 0.0);
-}
-
-TEST(Patience, IsOverWhereEightStepsGainTooLittle) {
+TEST(Patience, IsOverAtTheGoalAndWhereEightStepsGainTooLittle) {
+  EXPECT_TRUE(Patience(0.2, 1.0).is_over(1e-7));
   Patience patience(0.2, 1.0);
   for (int step = 0; step < 7; ++step) EXPECT_FALSE(patience.is_over(0.999)) << step;
   EXPECT_TRUE(patience.is_over(0.999));
 }
 
-TEST(Patience, IsNotOverWhileStepsGain) {
-  Patience patience(0.2, 1.0);
-  for (int step = 1; step < 40; ++step) EXPECT_FALSE(patience.is_over(1.0 - 0.0026 * step)) << step;
-}
-
-TEST(Patience, IsOverAtTheGoal) { EXPECT_TRUE(Patience(0.2, 1.0).is_over(1e-7)); }
-
-TEST(Patience, AsksForLessOfSmallSteps) {
-  Patience patience(0.01, 1.0);
-  for (int step = 1; step < 40; ++step) EXPECT_FALSE(patience.is_over(1.0 - 0.0006 * step)) << step;
+TEST(Patience, IsNotOverWhileStepsGainAndAsksForLessOfSmallOnes) {
+  Patience large(0.2, 1.0), small(0.01, 1.0);
+  for (int step = 1; step < 40; ++step) {
+    EXPECT_FALSE(large.is_over(1.0 - 0.0026 * step)) << step;
+    EXPECT_FALSE(small.is_over(1.0 - 0.0006 * step)) << step;
+  }
 }
 
 TEST(Way, FirstPlacesAreWithoutNotes) {

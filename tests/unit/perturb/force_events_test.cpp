@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/perturb/force_files/force_events.hpp"
 
-#include <gtest/gtest.h>
-
-#include "pliant/base/error.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/run/replay_events.hpp"
 #include "pliant/run/steered_walk.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::force_events_test {
 
@@ -23,14 +20,6 @@ std::vector<ForceEvent> parse(std::string_view text) {
 
 std::string refusal(std::string_view text) {
   return test::error_text<InputError>([&] { parse(text); });
-}
-
-std::string refused_replay(std::string_view text) {
-  State state(ring(6).positions);
-  ReplayOptions options;
-  options.file = "f.txt";
-  return test::error_text<InputError>(
-      [&] { replay_events(hexagon(), state, parse(text), options, {}); });
 }
 
 constexpr std::string_view session =
@@ -94,20 +83,6 @@ TEST(ForceEvents, EditsAreReplayedToTheBitsOfAWalk) {
   EXPECT_NEAR(distance(state.positions[0], state.positions[3]), 1.75, 1e-5);
 }
 
-TEST(ForceEvents, SayWhatIsWrongWithAnEdit) {
-  EXPECT_EQ(refusal("pliant-forces 3\ncut 0\n"),
-            "f.txt:2: cut: expected two joints, found 1 fields");
-  EXPECT_EQ(refusal("pliant-forces 3\nbar 0 1\n"),
-            "f.txt:2: bar: expected two joints and a length, found 2 fields");
-  EXPECT_EQ(refusal("pliant-forces 3\nbar 0 1 -2\n"),
-            "f.txt:2: bar: expected a length above 0, found \"-2\"");
-  EXPECT_EQ(refusal("pliant-forces 3\ncut 0 9\n"), "f.txt:2: joint: no joint is named \"9\"");
-  EXPECT_EQ(refused_replay("pliant-forces 3\nstep\ncut 0 2\nstep\n"),
-            "f.txt:3: cut 0 - 2: neither a bar nor a contact joins them");
-  EXPECT_EQ(refused_replay("pliant-forces 3\nrestore 0 1\nstep\n"),
-            "f.txt:2: restore 0 - 1: is as it was at the start");
-}
-
 TEST(ForceEvents, AreToldFromPushes) {
   EXPECT_TRUE(has_force_events(session));
   EXPECT_TRUE(has_force_events("pliant-forces 3\njoints 4\nwander 2\n"));
@@ -118,26 +93,36 @@ TEST(ForceEvents, AreToldFromPushes) {
 }
 
 TEST(ForceEvents, RefusalsNameFileAndLine) {
-  const std::string head = "pliant-forces 3\n";
   EXPECT_EQ(refusal(""), "f.txt: expected \"pliant-forces 3\" first, found no text");
   EXPECT_EQ(refusal("pliant-forces 4\n"),
             "f.txt:1: expected \"pliant-forces 3\", found \"pliant-forces 4\"");
-  EXPECT_EQ(
-      refusal(head + "push 1 0 0 0\n"),
-      "f.txt:2: expected set, start, hold_back, pin, cut, bar, restore, force, step or wander, "
-      "found \"push\"");
-  EXPECT_EQ(refusal(head + "set technique\n"),
-            "f.txt:2: set: expected a name and a value, found 1 fields");
-  EXPECT_EQ(refusal(head + "force 1 0 0\n"),
-            "f.txt:2: force: expected a joint and a force (x, y, z), found 3 fields");
-  EXPECT_EQ(refusal(head + "force 1 0 nan 0\nstep\n"),
-            "f.txt:2: force y: expected a finite number up to 1e100, found \"nan\"");
-  EXPECT_EQ(refusal(head + "force 1 0 0 1\npin 2\n"),
-            "f.txt:3: expected force, step or wander after a force, found \"pin\"");
-  EXPECT_EQ(refusal(head + "force 1 0 0 1\n"), "f.txt:2: force: no step follows it");
-  EXPECT_EQ(refusal(head + "wander 0\n"),
-            "f.txt:2: wander: expected a whole number of steps from 1");
-  EXPECT_NE(refusal(head + "pin 6\n"), test::no_error);
+  const char* count = "expected a whole number of steps from 1";
+  const std::pair<const char*, std::string> cases[] = {
+      {"cut 0\n", "2: cut: expected two joints, found 1 fields"},
+      {"bar 0 1\n", "2: bar: expected two joints and a length, found 2 fields"},
+      {"bar 0 1 -2\n", "2: bar: expected a length above 0, found \"-2\""},
+      {"cut 0 9\n", "2: joint: no joint is named \"9\""},
+      {"push 1 0 0 0\n",
+       "2: expected set, start, hold_back, pin, cut, bar, restore, force, step or wander, found "
+       "\"push\""},
+      {"set technique\n", "2: set: expected a name and a value, found 1 fields"},
+      {"force 1 0 0\n", "2: force: expected a joint and a force (x, y, z), found 3 fields"},
+      {"force 1 0 nan 0\nstep\n",
+       "2: force y: expected a finite number up to 1e100, found \"nan\""},
+      {"force 1 0 0 1\npin 2\n", "3: expected force, step or wander after a force, found \"pin\""},
+      {"force 1 0 0 1\n", "2: force: no step follows it"},
+      {"pin 6\n", "2: joint: no joint is named \"6\""},
+      {"wander 0\n", std::string("2: wander: ") + count},
+      {"step 0\n", std::string("2: step: ") + count},
+      {"step -1\n", std::string("2: step: ") + count},
+      {"step x\n", std::string("2: step: ") + count},
+      {"step 1 2\n", std::string("2: step: ") + count},
+      {"step 9223372036854775807\n", std::string("2: step: ") + count},
+      {"hold_back 0\n", "2: hold_back: expected a number above 0"},
+      {"step\nstart\n", "3: start: expected before all but set"},
+  };
+  for (const auto& [lines, fault] : cases)
+    EXPECT_EQ(refusal("pliant-forces 3\n" + std::string(lines)), "f.txt:" + fault);
 }
 
 TEST(ForceEvents, CountStepsThatAreTheSame) {
@@ -156,15 +141,6 @@ TEST(ForceEvents, CountStepsThatAreTheSame) {
             "pliant-forces 3\nforce 1 0 0 0\nstep 1000\nforce 1 0 0 -0\nstep\nwander 3\n");
 }
 
-TEST(ForceEvents, RefuseCountsThatAreNone) {
-  const std::string head = "pliant-forces 3\n";
-  for (const char* count : {"0", "-1", "x", "1 2", "9223372036854775807"})
-    EXPECT_EQ(refusal(head + "step " + count + "\n"),
-              "f.txt:2: step: expected a whole number of steps from 1");
-  EXPECT_EQ(refusal(head + "hold_back 0\n"), "f.txt:2: hold_back: expected a number above 0");
-  EXPECT_EQ(refusal(head + "step\nstart\n"), "f.txt:3: start: expected before all but set");
-}
-
 TEST(ReplayEvents, CountedStepsHaveTheBitsOfThoseWrittenOut) {
   const std::string pull = "force 1 40 0.1 -30\n";
   std::string written = "pliant-forces 3\nset damping 0.5\n";
@@ -177,24 +153,27 @@ TEST(ReplayEvents, CountedStepsHaveTheBitsOfThoseWrittenOut) {
   EXPECT_EQ(counted.step, 30);
 }
 
-TEST(ReplayEvents, RefusalsOfSettingsNameTheLine) {
-  const std::string head = "pliant-forces 3\n";
-  EXPECT_EQ(refused_replay(head + "step\nset weighting 2\nstep\n"),
-            "f.txt:3: weighting = 2: must be from 0 to 1");
-  EXPECT_EQ(refused_replay(head + "set weighting half\n"),
-            "f.txt:2: weighting: expected a number, found \"half\"");
-  EXPECT_EQ(refused_replay(head + "set mass_weighted 1\n"),
-            "f.txt:2: mass_weighted: expected true or false, found \"1\"");
+TEST(ReplayEvents, RefusalsNameTheLine) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"step\ncut 0 2\nstep\n", "3: cut 0 - 2: neither a bar nor a contact joins them"},
+      {"restore 0 1\nstep\n", "2: restore 0 - 1: is as it was at the start"},
+      {"step\nset weighting 2\nstep\n", "3: weighting = 2: must be from 0 to 1"},
+      {"set weighting half\n", "2: weighting: expected a number, found \"half\""},
+      {"set mass_weighted 1\n", "2: mass_weighted: expected true or false, found \"1\""}};
+  for (const auto& [lines, fault] : cases) {
+    State state(ring(6).positions);
+    const auto events = parse("pliant-forces 3\n" + std::string(lines));
+    EXPECT_ERROR(InputError, "f.txt:" + std::string(fault),
+                 replay_events(hexagon(), state, events, {.file = "f.txt"}, {}));
+  }
 }
 
 /// Shown are step 0, every third, and the last.
 TEST(ReplayEvents, ShowsWhatARunShows) {
   State state(ring(6).positions);
   std::vector<std::int64_t> shown;
-  ReplayOptions options;
-  options.every = 3;
   const RunSummary summary =
-      replay_events(hexagon(), state, parse(session), options, {[&](const Frame& frame) {
+      replay_events(hexagon(), state, parse(session), {.every = 3}, {[&](const Frame& frame) {
                       shown.push_back(frame.step);
                       return false;
                     }});

@@ -1,39 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/perturb/guide.hpp"
 
-#include <gtest/gtest.h>
-
-#include "pliant/base/error.hpp"
 #include "pliant/perturb/pushers.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::guide_test {
 
 /// Four joints on a line, 1 Angstrom apart, without bars; the last is pinned.
-Framework loose_line() {
-  FrameworkParts parts;
-  parts.joint_count = 4;
-  parts.pinned = {3};
-  return Framework(std::move(parts));
-}
+Framework loose_line() { return Framework({.joint_count = 4, .pinned = {3}}); }
 
 State on_a_line() { return State({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}); }
 
 /// One step of a pusher of the table; whether it has more.
 bool push(const std::string& name, const Framework& framework, const Guide& guide, State& state,
           Push& out, double displacement = 0.5) {
-  PusherOptions options;
-  options.guide = guide;
-  options.perturb.displacement = displacement;
+  const PusherOptions options{.perturb = {.displacement = displacement}, .guide = guide};
   out.clear();
   const bool has_more = find_pusher(name).make(framework, options)->push({framework}, state, out);
   ++state.step;
   return has_more;
-}
-
-std::string refusal(const Guide& guide) {
-  return test::error_text<OptionError>([&] { check(guide, loose_line()); });
 }
 
 TEST(Guide, RockingGoesToEitherSideAndComesBack) {
@@ -98,35 +84,22 @@ TEST(Guide, APairInOnePlaceGoesApartAlongX) {
 }
 
 TEST(Guide, WhatMakesNoSenseIsRefused) {
-  Guide guide;
-  guide.rock.resize(3);
-  EXPECT_EQ(refusal(guide), "rock: 3 vectors for 4 joints");
-  guide = {};
-  guide.period = 1;
-  EXPECT_EQ(refusal(guide), "period = 1: must be 2 or more");
-  guide = {};
-  guide.pulls = {{{4}, {}}};
-  EXPECT_EQ(refusal(guide), "pull: joint 4 of 4 does not exist");
-  guide.pulls = {{{}, {}}};
-  EXPECT_EQ(refusal(guide), "pull: a group has no joint");
-  guide = {};
-  guide.pairs = {{{0}, {1}, 5.0, 4.0}};
-  EXPECT_EQ(refusal(guide),
-            "pair distance: expected a distance from 0, or two in order, found 5 to 4");
-  PusherOptions options;
-  options.perturb.displacement = 0.0;
+  const std::pair<const char*, Guide> cases[] = {
+      {"rock: 3 vectors for 4 joints", {std::vector<Vec3>(3), {}, {}}},
+      {"period = 1: must be 2 or more", {{}, {}, {}, 1}},
+      {"pull: joint 4 of 4 does not exist", {{}, {{{4}, {}}}, {}}},
+      {"pull: a group has no joint", {{}, {{{}, {}}}, {}}},
+      {"pair distance: expected a distance from 0, or two in order, found 5 to 4",
+       {{}, {}, {{{0}, {1}, 5.0, 4.0}}}}};
+  for (const auto& [text, guide] : cases)
+    EXPECT_ERROR(OptionError, text, check(guide, loose_line()));
+  const PusherOptions options{.perturb = {.displacement = 0.0}};
   const Framework framework = loose_line();
   EXPECT_THROW(find_pusher("pull").make(framework, options), OptionError);
 }
 
 TEST(Guide, NamesOfItsPushersAreThoseOfTheTable) {
-  const Guide guide = [] {
-    Guide all;
-    all.rock.resize(1);
-    all.pulls.resize(1);
-    all.pairs.resize(1);
-    return all;
-  }();
+  const Guide guide{{Vec3{}}, {Pull{}}, {PairDistance{}}};
   for (const std::string& name : pushers_of(guide)) EXPECT_EQ(find_pusher(name).name, name);
   EXPECT_TRUE(pushers_of({}).empty());
 }

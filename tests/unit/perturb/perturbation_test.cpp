@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/perturb/perturbation.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <set>
-
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/perturb/past.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant {
 
@@ -76,16 +71,12 @@ TEST_P(PerturbationLaw, LeavesZInAPlanarFramework) {
   EXPECT_NE(state.positions[1], sketch.positions[1]);
 }
 
-TEST_P(PerturbationLaw, LeavesAllJointsIfAllArePinned) {
+TEST_P(PerturbationLaw, TakesAFrameworkOfPinnedJointsAndOfNone) {
   const Framework framework = test::with_pinned(framework_of(chain(3)), {0, 1, 2});
-  State state(chain(3).positions);
+  State state(chain(3).positions), nothing;
   push(framework, state, 0);
   EXPECT_EQ(state.positions, chain(3).positions);
-}
-
-TEST_P(PerturbationLaw, TakesAFrameworkWithoutJoints) {
-  State state;
-  EXPECT_EQ(push(Framework({}), state, 0).root_joint, no_joint);
+  EXPECT_EQ(push(Framework({}), nothing, 0).root_joint, no_joint);
 }
 
 /// The push is a function of seed, walker and step, not of what was pushed before.
@@ -112,9 +103,11 @@ INSTANTIATE_TEST_SUITE_P(Table, PerturbationLaw,
 TEST(Perturbations, AreFoundByName) {
   for (const PerturbationEntry& row : perturbations())
     EXPECT_EQ(&find_perturbation(row.name), &row);
-  EXPECT_EQ(test::error_text<OptionError>([] { find_perturbation("forces"); }),
-            "no perturbation named \"forces\" (did you mean \"force\"?); known: force, force_all, "
-            "displacement");
+  EXPECT_ERROR(
+      OptionError,
+      "no perturbation named \"forces\" (did you mean \"force\"?); known: force, force_all, "
+      "displacement",
+      find_perturbation("forces"));
 }
 
 /// One joint at rest: x + 100 F / m dt^2.
@@ -160,10 +153,7 @@ TEST(Displacement, MovesEachJointByOneLength) {
 /// A free joint under a constant force: Verlet's recursion is exact for a parabola,
 /// x_k = a dt^2 k (k + 1) / 2 from rest.
 TEST(ApplyForces, FollowsTheParabolaOfAConstantForce) {
-  FrameworkParts parts;
-  parts.joint_count = 1;
-  parts.masses = {4};
-  const Framework framework(std::move(parts));
+  const Framework framework({.joint_count = 1, .masses = {4}});
   const PerturbOptions options{.timestep = 0.125};
   State state(std::vector<Vec3>(1));
   const JointForce force{0, {2, 0, -1}};
@@ -177,11 +167,7 @@ TEST(ApplyForces, FollowsTheParabolaOfAConstantForce) {
 
 /// Damping c: each step keeps 1 - c of the last move.
 TEST(ApplyForces, DampsTheVelocity) {
-  const Framework framework = [] {
-    FrameworkParts parts;
-    parts.joint_count = 1;
-    return Framework(std::move(parts));
-  }();
+  const Framework framework = [] { return Framework({.joint_count = 1}); }();
   const JointForce no_force{0, {}};
   for (double damping : {0.0, 0.25, 1.0}) {
     State state({{1, 0, 0}});
@@ -202,16 +188,15 @@ TEST(ApplyForces, WithoutForcesMovesNothing) {
 
 TEST(CheckPerturbOptions, NamesOptionValueAndRange) {
   EXPECT_NO_THROW(check(PerturbOptions{}));
-  const auto refusal = [](const PerturbOptions& options) {
-    return test::error_text<OptionError>([&] { check(options); });
-  };
-  EXPECT_EQ(refusal({.force = -1}), "force = -1: must be 0 or more and finite");
-  EXPECT_EQ(refusal({.force = HUGE_VAL}), "force = inf: must be 0 or more and finite");
-  EXPECT_EQ(refusal({.timestep = 0}), "timestep = 0: must be positive and finite");
-  EXPECT_EQ(refusal({.timestep = std::nan("")}), "timestep = nan: must be positive and finite");
-  EXPECT_EQ(refusal({.damping = 1.5}), "damping = 1.5: must be from 0 to 1");
-  EXPECT_EQ(refusal({.damping = -1e-9}), "damping = -1e-09: must be from 0 to 1");
-  EXPECT_EQ(refusal({.displacement = -0.1}), "displacement = -0.1: must be 0 or more and finite");
+  const std::pair<const char*, PerturbOptions> cases[] = {
+      {"force = -1: must be 0 or more and finite", {.force = -1}},
+      {"force = inf: must be 0 or more and finite", {.force = HUGE_VAL}},
+      {"timestep = 0: must be positive and finite", {.timestep = 0}},
+      {"timestep = nan: must be positive and finite", {.timestep = std::nan("")}},
+      {"damping = 1.5: must be from 0 to 1", {.damping = 1.5}},
+      {"damping = -1e-09: must be from 0 to 1", {.damping = -1e-9}},
+      {"displacement = -0.1: must be 0 or more and finite", {.displacement = -0.1}}};
+  for (const auto& [text, options] : cases) EXPECT_ERROR(OptionError, text, check(options));
 }
 
 /// ForceGen: what a run meets, so that a force file replays it.
@@ -233,8 +218,8 @@ TEST(RandomPushes, AreThoseOfThePerturbationForce) {
 
 TEST(RandomPushes, NeedAFreeJoint) {
   const Framework framework = test::with_pinned(framework_of(chain(2)), {0, 1});
-  EXPECT_EQ(test::error_text<OptionError>([&] { random_pushes(framework, {}, {}, 1); }),
-            "no joint is free to be pushed: all are pinned");
+  EXPECT_ERROR(OptionError, "no joint is free to be pushed: all are pinned",
+               random_pushes(framework, {}, {}, 1));
   EXPECT_TRUE(random_pushes(framework, {}, {}, 0).empty());
 }
 

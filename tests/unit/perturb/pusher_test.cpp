@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/perturb/pusher.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <thread>
 
 #include "pliant/lab/examples/examples.hpp"
@@ -11,8 +8,8 @@
 #include "pliant/perturb/push_chain.hpp"
 #include "pliant/perturb/pushers.hpp"
 #include "pliant/perturb/steering.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::pusher_test {
 
@@ -23,21 +20,23 @@ std::shared_ptr<Pusher> made(std::string_view name, const Framework& framework,
   return find_pusher(name).make(framework, options);
 }
 
-/// What a chain of these pushers does to a state in some steps.
-State pushed_by(const std::vector<std::string_view>& names, const Framework& framework, State state,
-                int steps = 3) {
+/// What a chain of these pushers does to a state in a step.
+State pushed_by(const std::vector<std::string_view>& names, const Framework& framework,
+                State state) {
   PushChain chain(framework, {}, seed_5);
   for (std::string_view name : names) chain.add(made(name, framework));
-  for (int step = 0; step < steps; ++step) chain.push(state);
+  chain.push(state);
   return state;
 }
 
 TEST(Pushers, AreThePerturbationsAReplayAndGuides) {
   EXPECT_EQ(pushers().size(), perturbations().size() + 4);
   EXPECT_EQ(pushers()[perturbations().size()].name, "replay");
-  EXPECT_EQ(test::error_text<OptionError>([] { find_pusher("tug"); }),
-            "no pusher named \"tug\"; known: force, force_all, displacement, replay, rock, pull, "
-            "pair_distance");
+  EXPECT_ERROR(
+      OptionError,
+      "no pusher named \"tug\"; known: force, force_all, displacement, replay, rock, pull, "
+      "pair_distance",
+      find_pusher("tug"));
 }
 
 TEST(PushChain, MergesWhomTheyMoved) {
@@ -97,33 +96,11 @@ TEST(PushChain, TwoForcesOnAJointAreTheirSum) {
 TEST(PushChain, EachPusherDrawsForItself) {
   const Framework framework = framework_of(chain(6));
   const State start(chain(6).positions);
-  const State alone = pushed_by({"displacement"}, framework, start, 1);
-  const State both = pushed_by({"displacement", "displacement"}, framework, start, 1);
+  const State alone = pushed_by({"displacement"}, framework, start);
+  const State both = pushed_by({"displacement", "displacement"}, framework, start);
   for (Joint joint = 0; joint < 6; ++joint) {
     const Vec3 first = alone.positions[joint] - start.positions[joint];
     EXPECT_GT(distance(both.positions[joint] - alone.positions[joint], first), 1e-3);
-  }
-}
-
-TEST(PushChain, TakesAStepBackBitByBit) {
-  const Framework framework = framework_of(chain(6));
-  for (const char* name : {"force", "force_all", "displacement"}) {
-    State state(chain(6).positions);
-    PushChain chain_of(framework, {}, seed_5);
-    chain_of.add(made(name, framework));
-    chain_of.push(state);
-    chain_of.push(state);
-    const State before = state;
-    chain_of.push(state);
-    const State after = state;
-    chain_of.take_back(state);
-    EXPECT_TRUE(test::same_bits(state.positions, before.positions)) << name;
-    EXPECT_TRUE(test::same_bits(state.previous, before.previous)) << name;
-    EXPECT_EQ(state.step, 2);
-    EXPECT_EQ(state.time, before.time);
-    chain_of.push(state);
-    EXPECT_TRUE(test::same_bits(state.positions, after.positions)) << name;
-    EXPECT_TRUE(test::same_bits(state.previous, after.previous)) << name;
   }
 }
 
@@ -165,13 +142,16 @@ TEST(PushChain, APusherThatThrowsLeavesTheStateAsItWas) {
   EXPECT_EQ(state.step, 0);
 }
 
-TEST(Replay, RefusesForcesThatCannotBe) {
-  const Framework framework = framework_of(chain(3));
-  const auto refusal = [&](JointForce force) {
-    return test::error_text<OptionError>([&] { made("replay", framework, {{}, {force}}); });
-  };
-  EXPECT_EQ(refusal({3, {}}), "replay: joint 3 of 3 does not exist");
-  EXPECT_EQ(refusal({1, {0, std::nan(""), 0}}), "replay: the force on joint 1 is not finite");
+TEST(Replay, RefusesForcesAndCountsThatCannotBe) {
+  const std::vector<JointForce> two{{0, {}}, {1, {}}};
+  const std::pair<const char*, PusherOptions> cases[] = {
+      {"replay: joint 3 of 3 does not exist", {.replay = {{3, {}}}}},
+      {"replay: the force on joint 1 is not finite", {.replay = {{1, {0, std::nan(""), 0}}}}},
+      {"replay: a step has 2 forces, where 1 are left", {.replay = two, .replay_counts = {1, 2}}},
+      {"replay: a step has -1 forces, where 2 are left", {.replay = two, .replay_counts = {-1}}},
+      {"replay: 1 forces belong to no step", {.replay = two, .replay_counts = {1}}}};
+  for (const auto& [text, options] : cases)
+    EXPECT_ERROR(OptionError, text, made("replay", framework_of(chain(3)), options));
 }
 
 TEST(Steering, PullsUntilReleasedAsApplyForcesDoes) {
@@ -199,17 +179,15 @@ TEST(Steering, PullsUntilReleasedAsApplyForcesDoes) {
 TEST(Steering, RefusesWhatCannotBe) {
   const Framework framework = framework_of(chain(3));
   const auto steering = std::make_shared<Steering>();
+  EXPECT_ERROR(OptionError, "steering: longest step = 0: must be above 0", Steering(0.0));
   const JointForce endless{0, {HUGE_VAL, 0, 0}}, nowhere{7, {1, 0, 0}};
-  EXPECT_EQ(test::error_text<OptionError>([&] {
-              steering->pull({&endless, 1});
-            }),
-            "steering: the force on joint 0 is not finite");
+  EXPECT_ERROR(OptionError, "steering: the force on joint 0 is not finite",
+               steering->pull({&endless, 1}));
   steering->pull({&nowhere, 1});
   State state(chain(3).positions);
   PushChain chain_of(framework, {}, seed_5);
   chain_of.add(steering);
-  EXPECT_EQ(test::error_text<OptionError>([&] { chain_of.push(state); }),
-            "steering: joint 7 of 3 does not exist");
+  EXPECT_ERROR(OptionError, "steering: joint 7 of 3 does not exist", chain_of.push(state));
   EXPECT_EQ(state.step, 0);
 }
 
@@ -258,33 +236,13 @@ TEST(Steering, TellsForcesAsTheyActed) {
     places.push_back(state.positions);
   }
   EXPECT_EQ(counts, (std::vector<std::int64_t>{2, 2, 2, 0, 0}));
-  PusherOptions options;
-  options.replay = acted;
-  options.replay_counts = counts;
-  again.add(find_pusher("replay").make(framework, options));
+  again.add(find_pusher("replay").make(framework, {.replay = acted, .replay_counts = counts}));
   for (const std::vector<Vec3>& place : places) {
     EXPECT_FALSE(again.is_over());
     again.push(replayed);
     EXPECT_TRUE(test::same_bits(replayed.positions, place));
   }
   EXPECT_TRUE(again.is_over());
-}
-
-TEST(Replay, RefusesCountsOfOtherForces) {
-  const Framework framework = framework_of(chain(3));
-  const auto refusal = [&](std::vector<std::int64_t> counts) {
-    return test::error_text<OptionError>([&] {
-      PusherOptions options;
-      options.replay = {{0, {}}, {1, {}}};
-      options.replay_counts = std::move(counts);
-      find_pusher("replay").make(framework, options);
-    });
-  };
-  EXPECT_EQ(refusal({1, 2}), "replay: a step has 2 forces, where 1 are left");
-  EXPECT_EQ(refusal({-1}), "replay: a step has -1 forces, where 2 are left");
-  EXPECT_EQ(refusal({1}), "replay: 1 forces belong to no step");
-  EXPECT_EQ(test::error_text<OptionError>([] { Steering(0.0); }),
-            "steering: longest step = 0: must be above 0");
 }
 
 TEST(Steering, IsAskedFromManyThreads) {

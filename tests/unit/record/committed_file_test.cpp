@@ -2,14 +2,13 @@
 #include "pliant/record/hdf5/committed_file.hpp"
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <string>
 
+#include "support/test.hpp"
 #include "unit/record/samples.hpp"
 #include "unit/record/write_calls.hpp"
 
@@ -145,27 +144,6 @@ TEST_F(CommittedFileTest, GivesSpaceBackWhenTheEndMovesDown) {
   file_.commit();
   file_.trim();
   EXPECT_EQ(size(), 6);
-}
-
-TEST_F(CommittedFileTest, LeavesTheLastCommitWhenTheDiskIsFull) {
-  write(BlockKind::other_metadata, 0, "first");
-  file_.set_end(5);
-  file_.commit();
-  WriteWatch watch;
-  watch.fail_at = 1;
-  watch.error = ENOSPC;
-  write(BlockKind::data, 100, "data that finds room");
-  write(BlockKind::other_metadata, 0, "FIRST");
-  write(BlockKind::other_metadata, 200, "no room");
-  file_.set_end(207);
-  file_.commit();
-  EXPECT_EQ(file_.failure(), ENOSPC);
-  EXPECT_EQ(read(0, 5), "FIRST") << "the library above goes on as if nothing had happened";
-  watch.fail_at = -1;
-  file_.commit();
-  std::string text(5, '?');
-  ASSERT_EQ(::pread(descriptor_, text.data(), 5, 0), 5);
-  EXPECT_EQ(text, "first") << "nothing more reaches the disk";
 }
 
 /// A leaf of a chunk tree with `entries` of four letters each, in room for three.

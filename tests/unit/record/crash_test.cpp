@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What is left of a file when its writer dies, at every write there is, or when a write fails.
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
-#include <fstream>
 
-#include "pliant/base/error.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
+#include "support/test.hpp"
 #include "unit/record/samples.hpp"
 #include "unit/record/write_calls.hpp"
 
@@ -51,17 +49,16 @@ struct KillCase {
   std::int64_t first, last;  // every write of these frames is a moment of death
 };
 
-class KillTest : public ::testing::TestWithParam<KillCase> {};
+class KillTest : public FileTest, public testing::WithParamInterface<KillCase> {};
 
 /// Dies before every write, and within every write at each page boundary.
 TEST_P(KillTest, LeavesAllCommittedFrames) {
   const KillCase& kill = GetParam();
-  const TempDirectory directory;
   WriteWatch watch;
   watch.keep = true;
-  H5mdRecorder recorder(directory / "run.h5md", named_chain(kill.joints), {},
+  H5mdRecorder recorder(path_, named_chain(kill.joints), {},
                         {.precision = kill.compress ? fine : 0.0, .flush_seconds = 1e9});
-  WriteReplay replay(directory / "left.h5md");
+  WriteReplay replay(directory_ / "left.h5md");
   const auto catch_up = [&](auto look) {
     for (const WriteCall& call : watch.calls) {
       replay.apply(call, look);
@@ -78,14 +75,14 @@ TEST_P(KillTest, LeavesAllCommittedFrames) {
     catch_up([&] {
       if (f < kill.first) return;
       ++deaths;
-      expect_intact(directory / "left.h5md", f, std::max<std::int64_t>(0, f - 70));
+      expect_intact(directory_ / "left.h5md", f, std::max<std::int64_t>(0, f - 70));
     });
     ASSERT_FALSE(HasFatalFailure()) << "frame " << f << ", death " << deaths;
   }
   recorder.close();
   catch_up([&] {
     ++deaths;
-    expect_intact(directory / "left.h5md", kill.last + 1, 0);
+    expect_intact(directory_ / "left.h5md", kill.last + 1, 0);
   });
   EXPECT_GT(deaths, 80);
 }
@@ -112,52 +109,17 @@ Recorded record_until_failure(const std::filesystem::path& path, std::size_t joi
                               std::int64_t frames) {
   H5mdRecorder recorder(path, named_chain(joints), {}, {.overwrite = true, .flush_seconds = 0.0});
   Recorded recorded;
-  recorded.message = message_of<FileError>([&] {
+  recorded.message = error_text<FileError>([&] {
     for (std::int64_t f = 0; f < frames; ++f) recorder.record(sample_frame(f, joints).frame);
     recorder.close();
   });
   recorded.committed = recorder.committed_frames();
   if (!recorded.message.empty()) {
-    EXPECT_EQ(message_of<FileError>([&] { recorder.flush(); }), recorded.message);
-    EXPECT_EQ(message_of<FileError>([&] { recorder.record(sample_frame(99, joints).frame); }),
-              recorded.message);
+    EXPECT_ERROR(FileError, recorded.message, recorder.flush());
+    EXPECT_ERROR(FileError, recorded.message, recorder.record(sample_frame(99, joints).frame));
     recorder.close();
   }
   return recorded;
-}
-
-/// The disk is full from the k-th write on, for every k.
-TEST(FullDisk, KeepsWhatWasCommittedAndSaysSo) {
-  const TempDirectory directory;
-  const auto path = directory / "run.h5md";
-  long failures = 0;
-  for (long k = 0;; k += k < 60 ? 1 : 7) {
-    WriteWatch watch;
-    watch.fail_at = k;
-    watch.error = ENOSPC;
-    watch.half = k % 2 == 1;
-    Recorded recorded;
-    const std::string at_start =
-        message_of<FileError>([&] { recorded = record_until_failure(path, 200, 4); });
-    if (at_start.empty() && recorded.message.empty()) break;
-    ++failures;
-    if (!at_start.empty()) {
-      EXPECT_EQ(at_start, path.string() + ": cannot write: No space left on device");
-      EXPECT_FALSE(std::filesystem::exists(path)) << "k = " << k;
-      continue;
-    }
-    const std::string reason = path.string() + ": cannot write: No space left on device";
-    EXPECT_EQ(recorded.message.substr(0, reason.size()), reason);
-    if (recorded.committed == 0) {
-      EXPECT_FALSE(std::filesystem::exists(path)) << "a file without frames, k = " << k;
-      continue;
-    }
-    EXPECT_EQ(recorded.message, reason + "; the file holds the first " +
-                                    std::to_string(recorded.committed) + " frames");
-    expect_intact(path, recorded.committed, 0);
-    std::filesystem::remove(path);
-  }
-  EXPECT_GT(failures, 60);
 }
 
 /// A process with a file size limit and the signal's default action, which is death.
@@ -171,30 +133,29 @@ int record_with_limit(const std::filesystem::path& path) {
   return shown && recorded.committed > 10 ? 0 : 1;
 }
 
-TEST(FileSizeLimit, IsAnErrorAndNoDeath) {
-  const TempDirectory directory;
+class WriterTest : public FileTest {};
+
+TEST_F(WriterTest, IsToldThatAFileIsTooLargeAndLives) {
   const pid_t child = ::fork();
-  if (child == 0) ::_exit(record_with_limit(directory / "run.h5md"));
+  if (child == 0) ::_exit(record_with_limit(path_));
   int status = -1;
   ::waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), 0);
-  expect_intact(directory / "run.h5md", 11, 0);
+  expect_intact(path_, 11, 0);
 }
 
-TEST(SilentEnd, ExitWithoutDestructorLeavesTheCommittedFrames) {
-  const TempDirectory directory;
+TEST_F(WriterTest, ExitWithoutDestructorLeavesTheCommittedFrames) {
   const pid_t child = ::fork();
   if (child == 0) {
-    auto* leaked =
-        new H5mdRecorder(directory / "run.h5md", named_chain(5), {}, {.flush_seconds = 0.0});
+    auto* leaked = new H5mdRecorder(path_, named_chain(5), {}, {.flush_seconds = 0.0});
     for (std::int64_t f = 0; f < 3; ++f) leaked->record(sample_frame(f, 5).frame);
     std::exit(0);  // HDF5's exit handler closes the file
   }
   int status = -1;
   ::waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));
-  expect_intact(directory / "run.h5md", 3, 0);
+  expect_intact(path_, 3, 0);
 }
 
 }  // namespace pliant::crash_test

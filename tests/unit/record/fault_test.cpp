@@ -3,14 +3,9 @@
 // that was committed is lost, and the run goes on from what is left as if nothing had happened.
 //
 // PLIANT_ALL: more frames, and large ones.
-#include <gtest/gtest.h>
-
 #include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <functional>
 
-#include "pliant/base/error.hpp"
+#include "support/test.hpp"
 #include "unit/record/recorded_runs.hpp"
 #include "unit/record/samples.hpp"
 #include "unit/record/write_calls.hpp"
@@ -43,8 +38,7 @@ class FaultTable : public ::testing::TestWithParam<FaultCase> {
   static bool looks_at_all() { return std::getenv("PLIANT_ALL") != nullptr; }
 
   static Framework straight_chain(std::size_t joints) {
-    FrameworkParts parts;
-    parts.joint_count = joints;
+    FrameworkParts parts{.joint_count = joints};
     for (Joint i = 0; i + 1 < joints; ++i) parts.bars.push_back({i, i + 1});
     parts.rest_lengths.assign(parts.bars.size(), 1.5);
     return Framework(std::move(parts));
@@ -71,30 +65,28 @@ class FaultTable : public ::testing::TestWithParam<FaultCase> {
     recorder.close();
   }
 
-  /// A run into run.h5md of which some write fails; frames that it says to have committed.
-  std::int64_t record_until_failure(std::string& message) {
-    std::int64_t committed = 0;
-    message = message_of<FileError>([&] {
-      record_all([&](const H5mdRecorder& recorder) { committed = recorder.committed_frames(); });
-    });
-    return committed;
-  }
-
-  /// False if all writes were done before.
+  /// A run into run.h5md whose writes fail from the k-th on. False if all were done before.
   bool fail_from(long k, int error, bool half) {
-    std::string message;
     std::int64_t committed = 0;
+    std::string message;
     {
       WriteWatch watch;
       watch.fail_at = k;
       watch.error = error;
       watch.half = half;
-      committed = record_until_failure(message);
+      message = error_text<FileError>([&] {
+        record_all([&](const H5mdRecorder& recorder) { committed = recorder.committed_frames(); });
+      });
     }
     EXPECT_FALSE(fs::exists(directory_ / ".run.h5md.partial"));
     if (message.empty()) return false;
-    EXPECT_EQ(message.find(run_.string() + ": cannot write: " + std::strerror(error)), 0u)
-        << message;
+    const std::string reason = run_.string() + ": cannot write: " + std::strerror(error);
+    if (committed > 0) {
+      EXPECT_EQ(message,
+                reason + "; the file holds the first " + std::to_string(committed) + " frames");
+    } else {
+      EXPECT_THAT(message, testing::StartsWith(reason));
+    }
     EXPECT_EQ(fs::exists(run_), committed > 0);
     if (committed > 0) EXPECT_NO_THROW(expect_whole_again(run_, committed));
     if (!HasFailure()) fs::remove(run_);

@@ -85,10 +85,24 @@ inline constexpr char value[] = "/particles/trajectory/position/value";
 inline constexpr char step[] = "/particles/trajectory/position/step";
 inline constexpr char time_path[] = "/particles/trajectory/position/time";
 
-class H5mdReaderTest : public ::testing::Test {
+class H5mdReaderTest : public FileTest {
  protected:
   // HDF5 tells on stderr of each failing call, of which these tests have many.
   H5mdReaderTest() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+  using Write = std::function<void(ForeignFile&)>;
+  /// Makes the file at path_.
+  void foreign(const Write& write) {
+    ForeignFile file(path_);
+    write(file);
+  }
+  /// The same; it has a trajectory already.
+  void trajectory_with(const Write& write) {
+    foreign([&](ForeignFile& file) {
+      file.add_trajectory();
+      write(file);
+    });
+  }
 
   H5mdReader open(const std::string& group = "") {
     H5mdReadOptions options;
@@ -101,15 +115,13 @@ class H5mdReaderTest : public ::testing::Test {
   }
   /// The message with which opening (or `use` of) the file fails, without the file's name.
   std::string failure(const std::function<void(const H5mdReader&)>& use = [](const auto&) {}) {
-    const std::string text = message_of<Error>([&] { use(open()); });
+    const std::string text = error_text<Error>([&] { use(open()); });
     const std::string name = path_.string() + ": ";
     EXPECT_EQ(text.substr(0, name.size()), name);
     return text.substr(std::min(text.size(), name.size()));
   }
   static void read_first(const H5mdReader& reader) { reader.positions(0); }
 
-  TempDirectory directory_;
-  std::filesystem::path path_ = directory_ / "file.h5md";
   std::vector<std::string> messages_;
 };
 

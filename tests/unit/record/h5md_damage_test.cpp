@@ -3,17 +3,11 @@
 #include "pliant/record/h5md/h5md_reader.hpp"
 
 #include <fcntl.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-
-#include "pliant/base/error.hpp"
+#include "support/test.hpp"
 #include "unit/record/foreign_file.hpp"
 
 namespace pliant::h5md_damage_test {
@@ -28,20 +22,17 @@ class H5mdDamageTest : public H5mdReaderTest {};
 TEST_F(H5mdDamageTest, StaysWithinTheFile) {
   const auto other = directory_ / "other.h5md";
   { ForeignFile(other).add_trajectory(); }
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     H5Lcreate_external(other.c_str(), "/particles", file.id(), "/particles", H5P_DEFAULT,
                        H5P_DEFAULT);
-  }
+  });
   EXPECT_EQ(failure(), "\"/particles\" leads to the file \"" + other.string() +
                            "\": links to other files are not followed");
-  {
-    ForeignFile file(path_);
-    file.add_trajectory();
+  trajectory_with([&](ForeignFile& file) {
     H5Ldelete(file.id(), value, H5P_DEFAULT);
     H5Lcreate_external(other.c_str(), value, file.id(), "/elsewhere", H5P_DEFAULT, H5P_DEFAULT);
     H5Lcreate_soft("/elsewhere", file.id(), value, H5P_DEFAULT, H5P_DEFAULT);
-  }
+  });
   EXPECT_EQ(failure(), "\"" + std::string(value) + "\" leads to the file \"" + other.string() +
                            "\": links to other files are not followed");
 }
@@ -55,8 +46,7 @@ TEST_F(H5mdDamageTest, ReadsNoValuesOfOtherFiles) {
 }
 
 TEST_F(H5mdDamageTest, FollowsLinksWithinTheFileAndEndsCycles) {
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add_trajectory("real");
     H5Lcreate_soft("/particles/real", file.id(), "/particles/trajectory", H5P_DEFAULT, H5P_DEFAULT);
     H5Lcreate_hard(file.id(), "/particles", file.id(), "/particles/real/loop", H5P_DEFAULT,
@@ -64,15 +54,14 @@ TEST_F(H5mdDamageTest, FollowsLinksWithinTheFileAndEndsCycles) {
     file.add("/observables/a/value", {4});
     H5Lcreate_hard(file.id(), "/observables", file.id(), "/observables/a/loop", H5P_DEFAULT,
                    H5P_DEFAULT);
-  }
+  });
   EXPECT_EQ(open().group(), "trajectory");
   EXPECT_EQ(open().positions(1)[0].x, 6.0);
   EXPECT_THAT(open().observables(), ElementsAre("a"));
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     H5Lcreate_soft("/b", file.id(), "/particles", H5P_DEFAULT, H5P_DEFAULT);
     H5Lcreate_soft("/particles", file.id(), "/b", H5P_DEFAULT, H5P_DEFAULT);
-  }
+  });
   EXPECT_EQ(failure(), "cannot open \"/particles\": too many links");
 }
 
@@ -93,26 +82,23 @@ TEST_F(H5mdDamageTest, TakesNoMemoryForWhatIsOnlyStated) {
   const hsize_t chunk[] = {1, 2, 3};
   const hid_t chunked = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_chunk(chunked, 3, chunk);
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {hsize_t{1} << 62, 2, 3}, H5T_IEEE_F64LE, chunked, false);
     file.unit(value, "nm");
-  }
+  });
   EXPECT_EQ(open().frames(), std::int64_t{1} << 62);
   const std::string never = std::string(value) +
                             " of shape (4611686018427387904, 2, 3) has 0 bytes in the file: it "
                             "was never written, or is damaged";
   EXPECT_EQ(failure(read_first), never);
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {4, hsize_t{1} << 31, 3}, H5T_IEEE_F64LE, chunked, false);
     file.unit(value, "nm");
-  }
+  });
   EXPECT_THAT(failure(read_first), HasSubstr("has 0 bytes in the file"));
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {4, hsize_t{1} << 33, 3}, H5T_IEEE_F64LE, chunked, false);
-  }
+  });
   EXPECT_EQ(failure(), std::string(value) + " states shape (4, 8589934592, 3)");
   H5Pclose(chunked);
 }
@@ -122,12 +108,10 @@ TEST_F(H5mdDamageTest, TakesNoMemoryForStatedStepsAndNames) {
   const hid_t chunked = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_chunk(chunked, 1, chunk);
   const hsize_t huge = hsize_t{1} << 50;
-  {
-    ForeignFile file(path_);
-    file.add_trajectory();
+  trajectory_with([&](ForeignFile& file) {
     file.add("/parameters/topology/atom_name", {huge}, H5T_C_S1, chunked, false);
     file.add("/observables/x/value", {huge}, H5T_IEEE_F64LE, chunked, false);
-  }
+  });
   EXPECT_THAT(failure([](const H5mdReader& r) { r.atoms(); }), HasSubstr("has 0 bytes"));
   EXPECT_THAT(failure([](const H5mdReader& r) { r.observable("x"); }), HasSubstr("has 0 bytes"));
   H5Pclose(chunked);
@@ -135,13 +119,11 @@ TEST_F(H5mdDamageTest, TakesNoMemoryForStatedStepsAndNames) {
 
 // h511
 TEST_F(H5mdDamageTest, CallsAFrameOfFillValuesDamaged) {
-  {
-    ForeignFile file(path_);
-    file.add_trajectory();
+  trajectory_with([&](ForeignFile& file) {
     std::vector<double> values(24, 1.0);
     values[6 + 3] = std::nan("");
     file.write(value, values);
-  }
+  });
   EXPECT_EQ(open().positions(0)[0].x, 1.0);
   EXPECT_EQ(failure([](const H5mdReader& r) { r.positions(1); }),
             "frame 1 is damaged: the position of joint 1 is not finite");
@@ -151,8 +133,7 @@ TEST_F(H5mdDamageTest, CallsAFrameThatWasNeverWrittenDamaged) {
   const hsize_t chunk[] = {2, 2, 3}, start[] = {0, 0, 0}, count[] = {1, 2, 3};
   const hid_t chunked = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_chunk(chunked, 3, chunk);
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {4, 2, 3}, H5T_IEEE_F64LE, chunked, false);
     file.unit(value, "A");
     const hid_t set = H5Dopen2(file.id(), value, H5P_DEFAULT), space = H5Dget_space(set);
@@ -163,7 +144,7 @@ TEST_F(H5mdDamageTest, CallsAFrameThatWasNeverWrittenDamaged) {
     H5Sclose(memory);
     H5Sclose(space);
     H5Dclose(set);
-  }
+  });
   H5Pclose(chunked);
   EXPECT_EQ(open().positions(0)[1].z, 2.0);
   EXPECT_EQ(failure([](const H5mdReader& r) { r.positions(3); }),
@@ -218,8 +199,7 @@ TEST_F(H5mdDamageTest, NamesATruncatedFile) {
 /// Lengths that a copy can break off at: an error, never a crash.
 TEST_F(H5mdDamageTest, SurvivesPrefixes) {
   { ForeignFile(path_).add_trajectory(); }
-  std::ifstream file(path_, std::ios::binary);
-  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  const std::string whole = content_of(path_);
   const std::size_t finer = std::getenv("PLIANT_ALL") == nullptr ? 16 : 64;
   for (std::size_t size = 0; size < whole.size(); size += 1 + size / finer) {
     std::ofstream(path_, std::ios::binary | std::ios::trunc).write(whole.data(), long(size));
@@ -228,23 +208,19 @@ TEST_F(H5mdDamageTest, SurvivesPrefixes) {
 }
 
 TEST_F(H5mdDamageTest, RefusesConnectivityThatLeadsNowhere) {
-  {
-    ForeignFile file(path_);
-    file.add_trajectory();
+  trajectory_with([&](ForeignFile& file) {
     file.add("/connectivity/bars", {2, 2}, H5T_STD_I32LE);
     file.add("/connectivity/bonds", {2, 3}, H5T_STD_I32LE);
     file.add("/parameters/framework/rest_length", {5});
-  }
+  });
   EXPECT_EQ(failure([](const H5mdReader& r) { r.bars(); }),
             "/connectivity/bars: value 2 is 2; expected 0 to 1");
   EXPECT_EQ(failure([](const H5mdReader& r) { r.bonds(); }),
             "/connectivity/bonds has shape (2, 3); expected (pairs, 2)");
-  {
-    ForeignFile file(path_);
-    file.add_trajectory();
+  trajectory_with([&](ForeignFile& file) {
     file.add("/connectivity/bars", {1, 2}, H5T_STD_I32LE);
     file.add("/parameters/framework/rest_length", {5});
-  }
+  });
   EXPECT_EQ(failure([](const H5mdReader& r) { r.framework(); }),
             "/parameters/framework/rest_length has 5 values; expected 1");
 }

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What is written of frameworks is read back: limits, sterics, and parts that are saved.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-
-#include "pliant/base/error.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/h5md/saved_part.hpp"
-#include "support/temp_directory.hpp"
+#include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::h5md_limits_test {
 
@@ -30,8 +25,7 @@ H5mdReader recorded(const Framework& framework, std::span<const Vec3> positions)
 
 TEST(H5mdLimits, AreReadBackAsTheyWere) {
   const Example& example = find_example("tensegrity_prism");
-  FrameworkParts parts;
-  parts.joint_count = 6;
+  FrameworkParts parts{.joint_count = 6};
   parts.limits.assign(example.framework.limits().begin(), example.framework.limits().end());
   parts.limits[1].kind = LimitKind::hydrogen_bond;
   parts.limits[1].energy = -12.5;
@@ -85,9 +79,7 @@ TEST(H5mdLimits, StericsAreReadBackAsTheyWere) {
 }
 
 TEST(H5mdLimits, AFrameworkOfBarsAloneHasNoneOfThem) {
-  const Example& example = find_example("chain_5_with_strut");
-  FrameworkParts parts{.joint_count = 5};
-  const H5mdReader reader = recorded(Framework(parts), example.positions);
+  const H5mdReader reader = recorded(Framework({.joint_count = 5}), chain(5).positions);
   EXPECT_TRUE(reader.limits().empty());
   const auto names = reader.observables();
   EXPECT_EQ(std::ranges::count(names, "max_limit"), 0);
@@ -95,24 +87,19 @@ TEST(H5mdLimits, AFrameworkOfBarsAloneHasNoneOfThem) {
 
 /// A square 0 1 2 3 with a limit across each way, joint 3 pinned, in two residues.
 Framework square() {
-  auto atoms = std::make_shared<AtomTable>();
-  atoms->names = {"A", "B", "C", "D"};
-  atoms->elements = {6, 7, 8, 6};
-  atoms->serials = {1, 2, 3, 4};
-  atoms->residue_of = {0, 0, 1, 1};
-  atoms->residues = {{"ONE", 1, ' ', "X"}, {"TWO", 2, ' ', "X"}};
-  Sterics sterics;
-  sterics.kind_count = 1;
-  sterics.kinds = {0, 0, 0, 0};
-  sterics.least = {1.0};
+  const AtomTable atoms{{"A", "B", "C", "D"},
+                        {6, 7, 8, 6},
+                        {0, 0, 1, 1},
+                        {{"ONE", 1, ' ', "X"}, {"TWO", 2, ' ', "X"}},
+                        {1, 2, 3, 4}};
   return Framework({.joint_count = 4,
                     .bars = {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
                     .rest_lengths = {1.0, 1.5, 2.0, 2.5},
                     .masses = {1.0, 2.0, 4.0, 8.0},
                     .pinned = {3},
-                    .atoms = std::move(atoms),
+                    .atoms = std::make_shared<AtomTable>(atoms),
                     .limits = {{0, 2, 1.0, 3.0}, {1, 3, 1.0, 4.0}},
-                    .sterics = std::make_shared<const Sterics>(std::move(sterics))});
+                    .sterics = test::spheres(4, 1.0)});
 }
 
 TEST(SavedPart, IsAFrameworkOfTheJointsAndOfWhatJoinsThem) {
@@ -140,7 +127,9 @@ TEST(SavedPart, KeepsNamesAndTheResiduesThatAreLeft) {
 
 TEST(SavedPart, TakesHeadersAndFrames) {
   SavedPart part(square(), std::vector<Joint>{1, 3});
-  const H5mdHeader header{.bonds = {{0, 1, 0, 1}, {1, 3, 0, 2}}, .masses = {1, 2, 3, 4}};
+  H5mdHeader header;
+  header.bonds = {{0, 1, 0, 1}, {1, 3, 0, 2}};
+  header.masses = {1, 2, 3, 4};
   EXPECT_EQ(part.header_of(header).bonds, (std::vector<RecordedBond>{{0, 1, 0, 2}}));
   EXPECT_EQ(part.header_of(header).masses, (std::vector<double>{2, 4}));
   const std::vector<Vec3> positions{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}};

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/record/h5md/h5md_reader.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cerrno>
 
-#include "pliant/base/error.hpp"
+#include "support/test.hpp"
 #include "unit/record/foreign_file.hpp"
 #include "unit/record/write_calls.hpp"
 
@@ -42,7 +39,7 @@ TEST_F(H5mdReaderTest, ReadsWithoutLocksWhereThereAreNone) {
     EXPECT_EQ(open().frames(), 4);
   }
   const NoLocks held(EWOULDBLOCK);  // by another program: that is no lack
-  EXPECT_THAT(message_of<FileError>([&] { open(); }), HasSubstr("is in use by another program"));
+  EXPECT_THAT(error_text<FileError>([&] { open(); }), HasSubstr("is in use by another program"));
 }
 
 // h501
@@ -51,23 +48,21 @@ TEST_F(H5mdReaderTest, NamesTheGroupsThereAre) {
   EXPECT_EQ(failure(),
             "no group with positions in /particles; groups of the file: \"somewhere\"; of "
             "/particles: none");
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add_trajectory("solvent");
     file.add("/particles/empty/mass", {2});
-  }
+  });
   EXPECT_EQ(open().group(), "solvent");
   EXPECT_EQ(open("solvent").group(), "solvent");
-  EXPECT_THAT(message_of<InputError>([&] { open("protein"); }),
+  EXPECT_THAT(error_text<InputError>([&] { open("protein"); }),
               HasSubstr("no group \"protein\" in /particles; there are: \"empty\", \"solvent\""));
-  EXPECT_THAT(message_of<InputError>([&] { open("empty"); }),
+  EXPECT_THAT(error_text<InputError>([&] { open("empty"); }),
               HasSubstr("no positions: /particles/empty/position/value is missing"));
 }
 
 // h502
 TEST_F(H5mdReaderTest, ReadsTheFramesThatAreWhole) {
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {5, 2, 3});
     file.add(step, {3}, H5T_STD_I64LE);
     file.add(time_path, {4});
@@ -75,7 +70,7 @@ TEST_F(H5mdReaderTest, ReadsTheFramesThatAreWhole) {
     file.unit(time_path, "ps");
     file.add("/observables/long/value", {9});
     file.add("/observables/short/value", {2});
-  }
+  });
   const H5mdReader reader = open();
   EXPECT_EQ(reader.frames(), 3);
   EXPECT_EQ(reader.frames_left_out(), 2);
@@ -88,11 +83,7 @@ TEST_F(H5mdReaderTest, ReadsTheFramesThatAreWhole) {
 
 // h503
 TEST_F(H5mdReaderTest, WarnsOfStepsThatDoNotIncrease) {
-  {
-    ForeignFile file(path_);
-    file.add_trajectory();
-    file.write(step, {0, 10, 10, 5});
-  }
+  trajectory_with([&](ForeignFile& file) { file.write(step, {0, 10, 10, 5}); });
   EXPECT_EQ(open().frames(), 4);
   EXPECT_THAT(messages_, ElementsAre("warning: " + path_.string() +
                                      ": steps do not increase: frame 2 has step 10 after 10"));
@@ -109,16 +100,12 @@ TEST_F(H5mdReaderTest, NamesAWrongShape) {
     EXPECT_EQ(failure(),
               std::string(value) + " has shape " + shape + "; expected (frames, joints, 3)");
   }
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {4, 2, 3});
     file.add(step, {4, 1}, H5T_STD_I64LE);
-  }
+  });
   EXPECT_EQ(failure(), std::string(step) + " has shape (4, 1); expected one value a frame");
-  {
-    ForeignFile file(path_);
-    file.add(std::string(value) + "/inside", {4});
-  }
+  foreign([&](ForeignFile& file) { file.add(std::string(value) + "/inside", {4}); });
   EXPECT_EQ(failure(), std::string(value) + " is not a dataset");
 }
 
@@ -126,20 +113,17 @@ TEST_F(H5mdReaderTest, NamesAWrongShape) {
 TEST_F(H5mdReaderTest, ConvertsNumbers) {
   for (const hid_t type : {H5T_IEEE_F32LE, H5T_IEEE_F64BE, H5T_IEEE_F32BE, H5T_STD_I16BE,
                            H5T_STD_U8LE, H5T_STD_I64LE}) {
-    {
-      ForeignFile file(path_);
-      file.add_trajectory();
+    trajectory_with([&](ForeignFile& file) {
       H5Ldelete(file.id(), value, H5P_DEFAULT);
       file.add(value, {4, 2, 3}, type);
       file.unit(value, "Angstrom");
-    }
+    });
     EXPECT_EQ(open().positions(3)[1], (Vec3{21, 22, 23}));
   }
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     const hid_t text = H5Tcopy(H5T_C_S1);
     file.add(value, {4, 2, 3}, text, H5P_DEFAULT, false);
-  }
+  });
   EXPECT_EQ(failure(), std::string(value) + " has no numbers");
 }
 
@@ -148,34 +132,31 @@ TEST_F(H5mdReaderTest, ConvertsUnits) {
   const std::pair<std::string, double> lengths[] = {{"nm", 10.0}, {"pm", 0.01}, {"A", 1.0}};
   for (const auto& [unit, factor] : lengths) {
     for (const bool variable : {true, false}) {
-      {
-        ForeignFile file(path_);
+      foreign([&](ForeignFile& file) {
         file.add(value, {4, 2, 3});
         file.add(step, {4}, H5T_STD_I64LE);
         file.add(time_path, {4});
         file.unit(value, unit, variable);
         file.unit(time_path, "fs", variable);
-      }
+      });
       EXPECT_DOUBLE_EQ(open().positions(1)[0].y, 7.0 * factor) << unit;
       EXPECT_DOUBLE_EQ(open().time(2), 0.002);
     }
   }
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {4, 2, 3});
     file.unit(value, "parsec");
-  }
+  });
   EXPECT_EQ(failure(), std::string(value) +
                            " has the unit \"parsec\"; known: Angstrom, angstrom, A, nm, pm, fm, "
                            "um, m");
 }
 
 TEST_F(H5mdReaderTest, WarnsWhereUnitsAreMissing) {
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {4, 2, 3});
     file.add(time_path, {4});
-  }
+  });
   EXPECT_EQ(open().positions(0)[1].x, 3.0);
   EXPECT_THAT(
       messages_,
@@ -185,8 +166,7 @@ TEST_F(H5mdReaderTest, WarnsWhereUnitsAreMissing) {
 
 // h507
 TEST_F(H5mdReaderTest, TakesIncrementsAndMissingTimes) {
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {4, 2, 3});
     file.unit(value, "nm");
     file.add(step, {}, H5T_STD_I32LE);
@@ -201,15 +181,14 @@ TEST_F(H5mdReaderTest, TakesIncrementsAndMissingTimes) {
     H5Awrite(offset, H5T_NATIVE_DOUBLE, &start);
     H5Aclose(offset);
     H5Sclose(space);
-  }
+  });
   EXPECT_EQ(open().frames(), 4);
   EXPECT_EQ(open().step(3), 150);
   EXPECT_EQ(open().time(3), 101.5);
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add(value, {4, 2, 3});
     file.unit(value, "nm");
-  }
+  });
   EXPECT_EQ(open().step(3), 3);
   EXPECT_FALSE(open().has_time());
   EXPECT_EQ(failure([](const H5mdReader& r) { r.time(0); }),
@@ -225,15 +204,13 @@ TEST_F(H5mdReaderTest, AcceptsAUserBlock) {
 }
 
 TEST_F(H5mdReaderTest, ListsObservablesAndSkipsWhatIsNone) {
-  {
-    ForeignFile file(path_);
-    file.add_trajectory();
+  trajectory_with([&](ForeignFile& file) {
     file.add("/observables/energy/value", {4});
     file.add("/observables/energy/step", {4}, H5T_STD_I64LE);
     file.add("/observables/thermo/pressure/value", {4}, H5T_IEEE_F32BE);
     file.add("/observables/virial/value", {4, 3});
     file.add("/observables/constant", {});
-  }
+  });
   EXPECT_THAT(open().observables(), ElementsAre("energy", "thermo/pressure"));
   EXPECT_THAT(open().observable("thermo/pressure"), ElementsAre(0, 1, 2, 3));
   EXPECT_EQ(failure([](const H5mdReader& r) { r.observable("virial"); }),

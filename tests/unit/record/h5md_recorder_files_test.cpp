@@ -2,18 +2,14 @@
 // The files of a recorder: names, locks, commits.
 #include "pliant/record/h5md/h5md_recorder.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
-#include <limits>
 #include <thread>
 
-#include "pliant/base/error.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
+#include "support/test.hpp"
 #include "unit/record/samples.hpp"
 
 namespace pliant::h5md_recorder_files_test {
@@ -21,109 +17,100 @@ namespace pliant::h5md_recorder_files_test {
 using namespace test;
 using testing::HasSubstr;
 
-TEST(H5mdRecorder, ReplacesAFileOnlyWhenItMay) {
-  const TempDirectory directory;
-  const std::string path = (directory / "run.h5md").string();
+class H5mdRecorderFiles : public FileTest {};
+
+TEST_F(H5mdRecorderFiles, ReplacesAFileOnlyWhenItMay) {
+  const std::string path = path_.string();
   std::ofstream(path) << "precious";
-  EXPECT_EQ(message_of<FileError>([&] { H5mdRecorder(path, named_chain(2)); }),
-            path + ": exists already; overwrite replaces it");
+  EXPECT_ERROR(FileError, path + ": exists already; overwrite replaces it",
+               H5mdRecorder(path, named_chain(2)));
   EXPECT_EQ(content_of(path), "precious");
   record_file(path, 4, 2, {.overwrite = true});
   EXPECT_EQ(H5mdReader(path).frames(), 2);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()), {}), 1);
+  EXPECT_EQ(files(), 1);
 }
 
-TEST(H5mdRecorder, KeepsTheOldFileWhenTheNewOneFails) {
-  const TempDirectory directory;
-  const auto path = directory / "run.h5md";
-  std::ofstream(path) << "precious";
+TEST_F(H5mdRecorderFiles, KeepsTheOldFileWhenTheNewOneFails) {
+  std::ofstream(path_) << "precious";
   H5mdHeader header;
   header.masses = {1.0};
-  EXPECT_THROW(H5mdRecorder(path, named_chain(2), header, {.overwrite = true}), OptionError);
-  EXPECT_EQ(content_of(path), "precious");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()), {}), 1);
+  EXPECT_THROW(H5mdRecorder(path_, named_chain(2), header, {.overwrite = true}), OptionError);
+  EXPECT_EQ(content_of(path_), "precious");
+  EXPECT_EQ(files(), 1);
 }
 
-TEST(H5mdRecorder, TakesItsNameWithItsFirstFrame) {
-  const TempDirectory directory;
-  const auto path = directory / "run.h5md";
-  std::ofstream(path) << "precious";
+TEST_F(H5mdRecorderFiles, TakesItsNameWithItsFirstFrame) {
+  std::ofstream(path_) << "precious";
   {
-    H5mdRecorder recorder(path, named_chain(4), {}, {.overwrite = true, .flush_seconds = 1e9});
-    EXPECT_EQ(content_of(path), "precious");
+    H5mdRecorder recorder(path_, named_chain(4), {}, {.overwrite = true, .flush_seconds = 1e9});
+    EXPECT_EQ(content_of(path_), "precious");
     EXPECT_THROW(recorder.record(sample_frame(0, 3).frame), InputError);
-    EXPECT_EQ(content_of(path), "precious");
+    EXPECT_EQ(content_of(path_), "precious");
   }
-  EXPECT_EQ(content_of(path), "precious") << "a recorder without frames leaves nothing behind";
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()), {}), 1);
-  H5mdRecorder recorder(path, named_chain(4), {}, {.overwrite = true, .flush_seconds = 1e9});
+  EXPECT_EQ(content_of(path_), "precious") << "a recorder without frames leaves nothing behind";
+  EXPECT_EQ(files(), 1);
+  H5mdRecorder recorder(path_, named_chain(4), {}, {.overwrite = true, .flush_seconds = 1e9});
   recorder.record(sample_frame(0, 4).frame);
-  EXPECT_EQ(H5mdReader(path).frames(), 1);
+  EXPECT_EQ(H5mdReader(path_).frames(), 1);
 }
 
 /// A killed writer leaves its temporary file behind.
-TEST(H5mdRecorder, TakesOverWhatAKilledWriterLeft) {
-  const TempDirectory directory;
-  std::ofstream(directory / ".run.h5md.partial") << std::string(100'000, 'x');
-  record_file(directory / "run.h5md", 4, 2);
-  EXPECT_EQ(H5mdReader(directory / "run.h5md").frames(), 2);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()), {}), 1);
+TEST_F(H5mdRecorderFiles, TakesOverWhatAKilledWriterLeft) {
+  std::ofstream(directory_ / ".run.h5md.partial") << std::string(100'000, 'x');
+  record_file(path_, 4, 2);
+  EXPECT_EQ(H5mdReader(path_).frames(), 2);
+  EXPECT_EQ(files(), 1);
 }
 
 /// A reader asks for the file's length before it reads in the superblock how long it is.
-TEST(H5mdRecorder, IsLongerThanTheNextCommitSays) {
-  const TempDirectory directory;
-  const auto path = directory / "run.h5md";
-  H5mdRecorder recorder(path, named_chain(500), {}, {.flush_seconds = 0.0});
+TEST_F(H5mdRecorderFiles, IsLongerThanTheNextCommitSays) {
+  H5mdRecorder recorder(path_, named_chain(500), {}, {.flush_seconds = 0.0});
   std::uintmax_t before = 0;
   for (std::int64_t f = 0; f < 200; ++f) {
     recorder.record(sample_frame(f, 500).frame);
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(path_, std::ios::binary);
     std::uint64_t end = 0;  // HDF5 File Format Specification, II.A, version 0: byte 40
     file.seekg(40).read(reinterpret_cast<char*>(&end), sizeof end);
     if (f > 0) {
       EXPECT_GE(before, end) << "frame " << f;
     }
-    before = std::filesystem::file_size(path);
+    before = std::filesystem::file_size(path_);
   }
   recorder.close();
   std::uint64_t end = 0;
-  std::ifstream(path, std::ios::binary).seekg(40).read(reinterpret_cast<char*>(&end), sizeof end);
-  EXPECT_EQ(std::filesystem::file_size(path), end);
+  std::ifstream(path_, std::ios::binary).seekg(40).read(reinterpret_cast<char*>(&end), sizeof end);
+  EXPECT_EQ(std::filesystem::file_size(path_), end);
 }
 
-TEST(H5mdRecorder, FollowsASymbolicLink) {
-  const TempDirectory directory;
-  record_file(directory / "real.h5md", 4, 1);
-  std::filesystem::create_symlink("real.h5md", directory / "link.h5md");
-  record_file(directory / "link.h5md", 4, 3, {.overwrite = true});
-  EXPECT_TRUE(std::filesystem::is_symlink(directory / "link.h5md"));
-  EXPECT_EQ(H5mdReader(directory / "real.h5md").frames(), 3);
+TEST_F(H5mdRecorderFiles, FollowsASymbolicLink) {
+  record_file(directory_ / "real.h5md", 4, 1);
+  std::filesystem::create_symlink("real.h5md", directory_ / "link.h5md");
+  record_file(directory_ / "link.h5md", 4, 3, {.overwrite = true});
+  EXPECT_TRUE(std::filesystem::is_symlink(directory_ / "link.h5md"));
+  EXPECT_EQ(H5mdReader(directory_ / "real.h5md").frames(), 3);
 }
 
-TEST(H5mdRecorder, NamesWhatIsWrongWithThePlace) {
-  const TempDirectory directory;
+TEST_F(H5mdRecorderFiles, NamesWhatIsWrongWithThePlace) {
   const auto message = [](const std::filesystem::path& path) {
-    return message_of<FileError>(
+    return error_text<FileError>(
         [&] { H5mdRecorder(path, named_chain(2), {}, {.overwrite = true}); });
   };
-  const std::string base = directory.path().string();
-  EXPECT_EQ(message(directory / "no/run.h5md"),
+  const std::string base = directory_.path().string();
+  EXPECT_EQ(message(directory_ / "no/run.h5md"),
             base + "/no/run.h5md: the directory " + base + "/no does not exist");
-  EXPECT_EQ(message(directory.path()), base + ": is a directory");
-  std::ofstream(directory / "file") << "x";
-  EXPECT_EQ(message(directory / "file/run.h5md"),
+  EXPECT_EQ(message(directory_.path()), base + ": is a directory");
+  std::ofstream(directory_ / "file") << "x";
+  EXPECT_EQ(message(directory_ / "file/run.h5md"),
             base + "/file/run.h5md: " + base + "/file is not a directory");
   EXPECT_EQ(message("/dev/full"), "/dev/full: is not a regular file");
   EXPECT_EQ(message(""), "the name of the output file is empty");
 }
 
-TEST(H5mdRecorder, SecondRecorderOfAFileIsRefused) {
-  const TempDirectory directory;
-  const std::string path = (directory / "run.h5md").string();
+TEST_F(H5mdRecorderFiles, SecondRecorderOfAFileIsRefused) {
+  const std::string path = path_.string();
   H5mdRecorder first(path, named_chain(4));
   for (const bool overwrite : {false, true}) {
-    EXPECT_THAT(message_of<FileError>(
+    EXPECT_THAT(error_text<FileError>(
                     [&] { H5mdRecorder(path, named_chain(4), {}, {.overwrite = overwrite}); }),
                 HasSubstr(path + ": is being written by "));
   }
@@ -150,25 +137,22 @@ pid_t start_recording_child(const std::string& path) {
   return child;
 }
 
-TEST(H5mdRecorder, NamesTheProcessThatWrites) {
-  const TempDirectory directory;
-  const std::string path = (directory / "run.h5md").string();
+TEST_F(H5mdRecorderFiles, NamesTheProcessThatWrites) {
+  const std::string path = path_.string();
   const pid_t child = start_recording_child(path);
-  EXPECT_EQ(
-      message_of<FileError>([&] { H5mdRecorder(path, named_chain(4), {}, {.overwrite = true}); }),
-      path + ": is being written by process " + std::to_string(child));
+  EXPECT_ERROR(FileError, path + ": is being written by process " + std::to_string(child),
+               H5mdRecorder(path, named_chain(4), {}, {.overwrite = true}));
   EXPECT_EQ(H5mdReader(path).frames(), 1) << "a reader is let in";
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
-  EXPECT_EQ(message_of<FileError>([&] { H5mdRecorder(path, named_chain(4)); }),
-            path + ": exists already; overwrite replaces it");
+  EXPECT_ERROR(FileError, path + ": exists already; overwrite replaces it",
+               H5mdRecorder(path, named_chain(4)));
   EXPECT_NO_THROW(H5mdRecorder(path, named_chain(4), {}, {.overwrite = true}));
 }
 
-TEST(H5mdRecorder, OneOfManyStartedAtOnceWins) {
-  const TempDirectory directory;
+TEST_F(H5mdRecorderFiles, OneOfManyStartedAtOnceWins) {
   for (const bool overwrite : {false, true}) {
-    const auto path = directory / (overwrite ? "over.h5md" : "new.h5md");
+    const auto path = directory_ / (overwrite ? "over.h5md" : "new.h5md");
     std::atomic<int> winners = 0, losers = 0;
     std::vector<std::thread> threads;
     std::vector<std::unique_ptr<H5mdRecorder>> recorders(8);
@@ -188,39 +172,24 @@ TEST(H5mdRecorder, OneOfManyStartedAtOnceWins) {
   }
 }
 
-TEST(H5mdRecorder, RecordersOfOneProcessDoNotDisturbEachOther) {
-  const TempDirectory directory;
-  std::vector<std::thread> threads;
-  for (int t = 0; t < 4; ++t)
-    threads.emplace_back([&directory, t] {
-      record_file(directory / ("run" + std::to_string(t) + ".h5md"), 10, 200,
-                  {.flush_seconds = 0.0});
-    });
-  for (auto& thread : threads) thread.join();
-  for (int t = 0; t < 4; ++t)
-    EXPECT_EQ(H5mdReader(directory / ("run" + std::to_string(t) + ".h5md")).frames(), 200);
-}
-
-TEST(H5mdRecorder, CommitsInTimeAndOnDemand) {
-  const TempDirectory directory;
-  H5mdRecorder recorder(directory / "run.h5md", named_chain(4), {}, {.flush_seconds = 0.02});
+TEST_F(H5mdRecorderFiles, CommitsInTimeAndOnDemand) {
+  H5mdRecorder recorder(path_, named_chain(4), {}, {.flush_seconds = 0.02});
   recorder.record(sample_frame(0, 4).frame);
   ::usleep(30'000);
   recorder.record(sample_frame(1, 4).frame);
   EXPECT_EQ(recorder.committed_frames(), 2);
-  H5mdRecorder patient(directory / "patient.h5md", named_chain(4), {}, {.flush_seconds = 1e9});
+  H5mdRecorder patient(directory_ / "patient.h5md", named_chain(4), {}, {.flush_seconds = 1e9});
   patient.record(sample_frame(0, 4).frame);
   EXPECT_EQ(patient.committed_frames(), 1) << "the first at once";
   patient.record(sample_frame(1, 4).frame);
   EXPECT_EQ(patient.committed_frames(), 1);
   patient.flush();
   EXPECT_EQ(patient.committed_frames(), 2);
-  EXPECT_EQ(H5mdReader(directory / "patient.h5md").frames(), 2);
+  EXPECT_EQ(H5mdReader(directory_ / "patient.h5md").frames(), 2);
 }
 
-TEST(H5mdRecorder, MovesAndClosesTwice) {
-  const TempDirectory directory;
-  H5mdRecorder first(directory / "run.h5md", named_chain(4));
+TEST_F(H5mdRecorderFiles, MovesAndClosesTwice) {
+  H5mdRecorder first(path_, named_chain(4));
   first.record(sample_frame(0, 4).frame);
   H5mdRecorder second = std::move(first);
   second.record(sample_frame(1, 4).frame);

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/record/h5md/h5md_recorder.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
-#include <limits>
 #include <thread>
 
-#include "pliant/base/error.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
+#include "support/test.hpp"
 #include "unit/record/samples.hpp"
 
 namespace pliant::h5md_recorder_test {
 
 using namespace test;
 using testing::HasSubstr;
+
+class H5mdRecorderTest : public FileTest {};
 
 struct RoundTrip {
   const char* name;
@@ -27,13 +25,12 @@ struct RoundTrip {
   H5mdOptions options;
 };
 
-class RoundTripTest : public ::testing::TestWithParam<RoundTrip> {};
+class RoundTripTest : public FileTest, public testing::WithParamInterface<RoundTrip> {};
 
 TEST_P(RoundTripTest, ReadsWhatWasRecorded) {
   const auto& [name, joints, frames, options] = GetParam();
-  const TempDirectory directory;
-  record_file(directory / "run.h5md", joints, frames, options);
-  const H5mdReader reader(directory / "run.h5md");
+  record_file(path_, joints, frames, options);
+  const H5mdReader reader(path_);
   ASSERT_EQ(reader.frames(), frames);
   EXPECT_EQ(reader.bytes_per_coordinate(), 8u);
   const auto stop = reader.observable("stop");
@@ -66,11 +63,10 @@ INSTANTIATE_TEST_SUITE_P(
                       RoundTrip{"large", 20'000, 5, {}}),
     [](const auto& trip) { return trip.param.name; });
 
-TEST(H5mdRecorder, RecordsNamesBarsAndParameters) {
-  const TempDirectory directory;
+TEST_F(H5mdRecorderTest, RecordsNamesBarsAndParameters) {
   const Framework framework = named_chain(6);
-  record_file(directory / "run.h5md", 6, 2);
-  const H5mdReader reader(directory / "run.h5md");
+  record_file(path_, 6, 2);
+  const H5mdReader reader(path_);
   EXPECT_EQ(reader.group(), "trajectory");
   EXPECT_EQ(reader.bars(), std::vector<Bar>(framework.bars().begin(), framework.bars().end()));
   EXPECT_EQ(reader.rest_lengths(),
@@ -92,86 +88,77 @@ TEST(H5mdRecorder, RecordsNamesBarsAndParameters) {
   EXPECT_EQ(reader.parameters(), expected);
 }
 
-TEST(H5mdRecorder, RecordsMassesOfPinnedJointsWhenTheyAreGiven) {
-  const TempDirectory directory;
+TEST_F(H5mdRecorderTest, RecordsMassesOfPinnedJointsWhenTheyAreGiven) {
   H5mdHeader header;
   {
-    H5mdRecorder recorder(directory / "a.h5md", named_chain(3), header);
+    H5mdRecorder recorder(directory_ / "a.h5md", named_chain(3), header);
     recorder.record(sample_frame(0, 3).frame);
   }
-  EXPECT_EQ(H5mdReader(directory / "a.h5md").masses(), (std::vector<double>{1.0, 13.0, 14.0}));
+  EXPECT_EQ(H5mdReader(directory_ / "a.h5md").masses(), (std::vector<double>{1.0, 13.0, 14.0}));
   header.masses = {12.0, 13.0, 14.0};
   {
-    H5mdRecorder recorder(directory / "b.h5md", named_chain(3), header);
+    H5mdRecorder recorder(directory_ / "b.h5md", named_chain(3), header);
     recorder.record(sample_frame(0, 3).frame);
   }
-  EXPECT_EQ(H5mdReader(directory / "b.h5md").masses(), header.masses);
+  EXPECT_EQ(H5mdReader(directory_ / "b.h5md").masses(), header.masses);
   header.masses = {12.0};
-  EXPECT_EQ(
-      message_of<OptionError>([&] { H5mdRecorder(directory / "c.h5md", named_chain(3), header); }),
-      "H5mdHeader::masses has 1 values for 3 joints");
-  EXPECT_FALSE(std::filesystem::exists(directory / "c.h5md"));
+  EXPECT_ERROR(OptionError, "H5mdHeader::masses has 1 values for 3 joints",
+               H5mdRecorder(directory_ / "c.h5md", named_chain(3), header));
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "c.h5md"));
 }
 
-TEST(H5mdRecorder, RecordsAFrameworkWithoutNamesOrBars) {
-  const TempDirectory directory;
+TEST_F(H5mdRecorderTest, RecordsAFrameworkWithoutNamesOrBars) {
   const Framework framework = bare(2);
   {
-    H5mdRecorder recorder(directory / "run.h5md", framework);
+    H5mdRecorder recorder(path_, framework);
     recorder.record(sample_frame(0, 2).frame);
   }
-  const H5mdReader reader(directory / "run.h5md");
+  const H5mdReader reader(path_);
   EXPECT_EQ(reader.atoms(), nullptr);
   EXPECT_TRUE(reader.bars().empty());
   EXPECT_EQ(reader.framework().joint_count(), 2u);
 }
 
-TEST(H5mdRecorder, EscapesTextThatIsNotUtf8) {
-  const TempDirectory directory;
+TEST_F(H5mdRecorderTest, EscapesTextThatIsNotUtf8) {
   H5mdHeader header;
   header.parameters = {{"input/file", std::string("latin\xe9")}};
   {
-    H5mdRecorder recorder(directory / "run.h5md", named_chain(2), header);
+    H5mdRecorder recorder(path_, named_chain(2), header);
     recorder.record(sample_frame(0, 2).frame);
   }
-  EXPECT_EQ(H5mdReader(directory / "run.h5md").parameters()[0].second,
-            Parameter(std::string("latin\\xe9")));
+  EXPECT_EQ(H5mdReader(path_).parameters()[0].second, Parameter(std::string("latin\\xe9")));
 }
 
-TEST(H5mdRecorder, WritesTheSameBytesForTheSameRun) {
-  const TempDirectory directory;
-  record_file(directory / "a.h5md", 6, 100);
+TEST_F(H5mdRecorderTest, WritesTheSameBytesForTheSameRun) {
+  record_file(directory_ / "a.h5md", 6, 100);
   ::usleep(1'100'000);  // long enough for a time stamp to differ
-  record_file(directory / "b.h5md", 6, 100);
-  EXPECT_EQ(content_of(directory / "a.h5md"), content_of(directory / "b.h5md"));
+  record_file(directory_ / "b.h5md", 6, 100);
+  EXPECT_EQ(content_of(directory_ / "a.h5md"), content_of(directory_ / "b.h5md"));
 }
 
-TEST(H5mdRecorder, RefusesFramesThatMakeNoSense) {
-  const TempDirectory directory;
-  const std::string path = (directory / "run.h5md").string();
+TEST_F(H5mdRecorderTest, RefusesFramesThatMakeNoSense) {
+  const std::string path = path_.string();
   H5mdRecorder recorder(path, named_chain(6));
   SampleFrame sample = sample_frame(3, 6);
   recorder.record(sample.frame);
-  EXPECT_EQ(message_of<InputError>([&] { recorder.record(sample.frame); }),
-            path + ": frame of step 15 comes after that of step 15");
+  EXPECT_ERROR(InputError, path + ": frame of step 15 comes after that of step 15",
+               recorder.record(sample.frame));
   sample.frame.step = 16;
   sample.positions[4].y = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(message_of<InputError>([&] { recorder.record(sample.frame); }),
-            path + ": frame of step 16: position of A:LYS-3B:CA is not finite");
+  EXPECT_ERROR(InputError, path + ": frame of step 16: position of A:LYS-3B:CA is not finite",
+               recorder.record(sample.frame));
   sample.frame.positions = sample.frame.positions.first(5);
-  EXPECT_EQ(message_of<InputError>([&] { recorder.record(sample.frame); }),
-            path + ": frame of step 16 has 5 positions for 6 joints");
+  EXPECT_ERROR(InputError, path + ": frame of step 16 has 5 positions for 6 joints",
+               recorder.record(sample.frame));
   recorder.record(sample_frame(4, 6).frame);
   EXPECT_EQ(recorder.frames(), 2);
   recorder.close();
   EXPECT_EQ(H5mdReader(path).frames(), 2);
 }
 
-TEST(H5mdRecorder, RefusesBadOptionsBeforeItTouchesTheFile) {
-  const TempDirectory directory;
-  const auto path = directory / "run.h5md";
+TEST_F(H5mdRecorderTest, RefusesBadOptionsBeforeItTouchesTheFile) {
   const auto message = [&](const H5mdHeader& header, const H5mdOptions& options) {
-    return message_of<OptionError>([&] { H5mdRecorder(path, named_chain(2), header, options); });
+    return error_text<OptionError>([&] { H5mdRecorder(path_, named_chain(2), header, options); });
   };
   EXPECT_EQ(message({}, {.flush_seconds = -1.0}),
             "H5mdOptions::flush_seconds = -1.000000: must be 0 or more");
@@ -190,9 +177,9 @@ TEST(H5mdRecorder, RefusesBadOptionsBeforeItTouchesTheFile) {
             "file's own");
   EXPECT_EQ(message(with("x", std::numeric_limits<double>::quiet_NaN()), {}),
             "parameter \"x\": is not a number");
-  EXPECT_EQ(message_of<InputError>([&] { H5mdRecorder(path, bare(0)); }),
-            "a framework without joints has no trajectory");
-  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+  EXPECT_ERROR(InputError, "a framework without joints has no trajectory",
+               H5mdRecorder(path_, bare(0)));
+  EXPECT_TRUE(std::filesystem::is_empty(directory_.path()));
 }
 
 }  // namespace pliant::h5md_recorder_test

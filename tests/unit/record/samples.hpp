@@ -3,6 +3,8 @@
 // the record folder.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +17,7 @@
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
+#include "support/error_text.hpp"
 #include "support/temp_directory.hpp"
 
 namespace pliant::test {
@@ -77,18 +80,17 @@ inline SampleFrame sample_frame(std::int64_t number, std::size_t joints) {
   return sample;
 }
 
-inline std::string text_of(const std::exception& error) { return error.what(); }
-
-/// The message of the exception that `call` throws, or "".
-template <class Exception, class Call>
-std::string message_of(Call call) {
-  try {
-    call();
-  } catch (const Exception& error) {
-    return error.what();
+/// A test that writes a file.
+class FileTest : public testing::Test {
+ protected:
+  /// Files beside the one that is written, and this.
+  std::ptrdiff_t files() const {
+    return std::distance(std::filesystem::directory_iterator(directory_.path()), {});
   }
-  return "";
-}
+
+  TempDirectory directory_;
+  std::filesystem::path path_ = directory_ / "run.h5md";
+};
 
 inline H5mdHeader sample_header() {
   H5mdHeader header;
@@ -110,11 +112,6 @@ inline void record_file(const std::filesystem::path& path, std::size_t joints, s
   H5mdRecorder recorder(path, named_chain(joints), sample_header(), options);
   record_frames(recorder, joints, frames);
   recorder.close();
-}
-
-inline std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace pliant::test

@@ -3,19 +3,12 @@
 // process, never a wait, never memory for what is only stated.
 #include "pliant/record/hdf5/structure_check.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdlib>
-#include <fstream>
-#include <limits>
-
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/hdf5/expansion.hpp"
 #include "pliant/record/hdf5/hdf5_dataset.hpp"
 #include "support/damaged_files.hpp"
+#include "support/test.hpp"
 #include "unit/record/foreign_file.hpp"
 #include "unit/record/samples.hpp"
 
@@ -27,7 +20,7 @@ using testing::HasSubstr;
 class StructureCheckTest : public H5mdReaderTest {
  protected:
   std::string fault() {
-    return message_of<Error>([&] { check_hdf5_structure(path_); });
+    return error_text<Error>([&] { check_hdf5_structure(path_); });
   }
   void put(std::uint64_t at, const std::string& bytes) {
     std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
@@ -36,18 +29,13 @@ class StructureCheckTest : public H5mdReaderTest {
   }
   /// Where the bytes come first, from a place on.
   std::uint64_t find(const std::string& bytes, std::uint64_t from = 0) {
-    std::ifstream file(path_, std::ios::binary);
-    const std::string all{std::istreambuf_iterator<char>(file), {}};
-    return all.find(bytes, from);
+    return content_of(path_).find(bytes, from);
   }
 };
 
-TEST_F(StructureCheckTest, KnowsAllOfOurFiles) {
+TEST_F(StructureCheckTest, KnowsAllOfOurFilesAndWhatOtherProgramsWrite) {
   { H5mdRecorder(path_, named_chain(4)).record(sample_frame(0, 4).frame); }
   EXPECT_TRUE(check_hdf5_structure(path_));
-}
-
-TEST_F(StructureCheckTest, KnowsWhatOtherProgramsWrite) {
   { ForeignFile(path_).add_trajectory(); }
   EXPECT_TRUE(check_hdf5_structure(path_));
 }
@@ -80,11 +68,10 @@ TEST_F(StructureCheckTest, NamesWhatIsWrong) {
 }
 
 TEST_F(StructureCheckTest, SeesBlocksThatOverlapAndAddressesBeyondTheEnd) {
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     file.add("/a", {64});
     file.add("/b", {64});
-  }
+  });
   // Version 3, contiguous, then the address of the values: that of b becomes that of a.
   const std::uint64_t first = find(std::string("\x03\x01", 2)),
                       second = find("\x03\x01", first + 2);
@@ -99,8 +86,7 @@ TEST_F(StructureCheckTest, SeesBlocksThatOverlapAndAddressesBeyondTheEnd) {
 }
 
 TEST_F(StructureCheckTest, GoesThroughGroupsNestedWithoutEnd) {
-  {
-    ForeignFile file(path_);
+  foreign([&](ForeignFile& file) {
     hid_t group = H5Gopen2(file.id(), "/", H5P_DEFAULT);
     for (int k = 0; k < 20'000; ++k) {
       const hid_t inner = H5Gcreate2(group, "a", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
@@ -108,7 +94,7 @@ TEST_F(StructureCheckTest, GoesThroughGroupsNestedWithoutEnd) {
       group = inner;
     }
     H5Gclose(group);
-  }
+  });
   EXPECT_TRUE(check_hdf5_structure(path_));
 }
 
@@ -183,7 +169,7 @@ TEST(Expansion, ManyTextsMayBeOnePlaceInTheFile) {
   const auto path = directory / "names.h5";
   write_one_name(path, std::string(mib, 'A'), 200);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  EXPECT_THAT(message_of<InputError>([&] { Hdf5Dataset(file, "/names").texts(); }),
+  EXPECT_THAT(error_text<InputError>([&] { Hdf5Dataset(file, "/names").texts(); }),
               HasSubstr("/names of shape (200) has values that unpack to 134217728 bytes"));
   H5Fclose(file);
   write_one_name(path, "CA", 200);
@@ -194,11 +180,6 @@ TEST(Expansion, ManyTextsMayBeOnePlaceInTheFile) {
 
 std::uint64_t count_of(std::uint64_t few, std::uint64_t many) {
   return std::getenv("PLIANT_ALL") == nullptr ? few : many;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 void read_all(const std::filesystem::path& path) {
@@ -221,7 +202,7 @@ class H5mdFlipTest : public H5mdReaderTest {
  protected:
   /// Reads copies of the file at path_, of which none may kill.
   void read_damaged(std::uint64_t flips, std::uint64_t damages) {
-    const std::string whole = bytes_of(path_);
+    const std::string whole = content_of(path_);
     ASSERT_EQ(death_of([&] { read_all(path_); }), "");
     for (std::uint64_t k = 0; k < flips + damages; ++k) {
       const bool is_flip = k < flips;
@@ -239,10 +220,8 @@ void record(const std::filesystem::path& path, bool compress) {
   header.bond_origin_names = {"file", "distance"};
   for (int k = 0; k < 20; ++k) header.parameters.emplace_back("run/n" + std::to_string(k), 0.5 * k);
   header.parameters.emplace_back("run/technique", std::string("blocks"));
-  H5mdOptions options;
-  if (compress) options.precision = 1e-9;
-  options.flush_seconds = 0.0;
-  H5mdRecorder recorder(path, named_chain(joints), header, options);
+  H5mdRecorder recorder(path, named_chain(joints), header,
+                        {.precision = compress ? 1e-9 : 0.0, .flush_seconds = 0.0});
   for (int number = 0; number < 70; ++number) recorder.record(sample_frame(number, joints).frame);
 }
 

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/record/topology_pdb.hpp"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <limits>
-#include <sstream>
-
-#include "pliant/base/error.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/record/pdb_recorder.hpp"
+#include "support/test.hpp"
 #include "unit/record/samples.hpp"
 
 namespace pliant::topology_pdb_test {
@@ -31,7 +24,7 @@ AtomTable one_residue(std::size_t count) {
   return atoms;
 }
 
-class TopologyPdbTest : public ::testing::Test {
+class TopologyPdbTest : public FileTest {
  protected:
   std::string write(const AtomTable& atoms, const std::vector<Vec3>& positions,
                     const std::vector<RecordedBond>& bonds, TopologyPdbOptions options = {}) {
@@ -40,23 +33,19 @@ class TopologyPdbTest : public ::testing::Test {
       messages_.emplace_back(text);
     };
     write_topology_pdb(path_, atoms, positions, bonds, options);
-    std::ifstream file(path_);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return content_of(path_);
   }
 
-  TempDirectory directory_;
-  std::filesystem::path path_ = directory_ / "top.pdb";
   std::vector<std::string> messages_;
 };
 
 TEST_F(TopologyPdbTest, WritesTheColumnsOfTheFormat) {
-  AtomTable atoms;
-  atoms.names = {"CA", "CA", "HB11", "N", "FE"};
-  atoms.elements = {6, 20, 1, 7, 26};
-  atoms.residue_of = {0, 1, 2, 3, 3};
-  atoms.serials = {7, 8, 9, 10, 11};
-  atoms.residues = {
-      {"ALA", -12, ' ', "A"}, {"CA", 10000, 'B', "A"}, {"TIP3", 3, ' ', "B"}, {"HEM", 1, ' ', ""}};
+  const AtomTable atoms{
+      {"CA", "CA", "HB11", "N", "FE"},
+      {6, 20, 1, 7, 26},
+      {0, 1, 2, 3, 3},
+      {{"ALA", -12, ' ', "A"}, {"CA", 10000, 'B', "A"}, {"TIP3", 3, ' ', "B"}, {"HEM", 1, ' ', ""}},
+      {7, 8, 9, 10, 11}};
   const std::string text =
       write(atoms, {{0, 1.5, -2.25}, {9999.999, -999.999, 0}, {1, 2, 3}, {0, 0, -1e-9}, {4, 5, 6}},
             {{0, 1, 0, 1}, {3, 4, 0, 2}}, {.title = "two\nlines"});
@@ -100,9 +89,8 @@ TEST(Hybrid36, ContinuesDecimals) {
   EXPECT_EQ(hybrid36(10000, 4), "A000");
   EXPECT_EQ(hybrid36(1223055, 4), "ZZZZ");
   EXPECT_EQ(hybrid36(2436111, 4), "zzzz");
-  EXPECT_EQ(message_of<InputError>([] { hybrid36(87440032, 5); }),
-            "87440032 does not fit 5 columns");
-  EXPECT_EQ(message_of<InputError>([] { hybrid36(-1000, 4); }), "-1000 does not fit 4 columns");
+  EXPECT_ERROR(InputError, "87440032 does not fit 5 columns", hybrid36(87440032, 5));
+  EXPECT_ERROR(InputError, "-1000 does not fit 4 columns", hybrid36(-1000, 4));
 }
 
 TEST_F(TopologyPdbTest, OurReaderReadsItBack) {
@@ -163,45 +151,35 @@ TEST_F(TopologyPdbTest, RefusesWhatDoesNotFit) {
   std::ofstream(path_) << "precious";
   AtomTable atoms = one_residue(1);
   const auto message = [&](Vec3 position) {
-    return message_of<InputError>([&] { write(atoms, {position}, {}); });
+    return error_text<InputError>([&] { write(atoms, {position}, {}); });
   };
   const std::string end = " does not fit the columns of a PDB file (-999.999 to 9999.999 Angstrom)";
   EXPECT_EQ(message({9999.9996, 0, 0}), "position of C1(1) (10000, 0, 0)" + end);
   EXPECT_EQ(message({0, -1000, 0}), "position of C1(1) (0, -1000, 0)" + end);
   EXPECT_EQ(message({0, 0, std::numeric_limits<double>::infinity()}),
             "position of C1(1) (0, 0, inf)" + end);
-  EXPECT_EQ(message_of<InputError>([&] {
-              write(atoms, {{}}, {{0, 1, 0, 1}});
-            }),
-            "bond of atoms 0 and 1, of 1 atoms");
-  EXPECT_EQ(message_of<InputError>([&] { write(atoms, {}, {}); }), "0 positions for 1 atoms");
+  EXPECT_ERROR(InputError, "bond of atoms 0 and 1, of 1 atoms", write(atoms, {{}}, {{0, 1, 0, 1}}));
+  EXPECT_ERROR(InputError, "0 positions for 1 atoms", write(atoms, {}, {}));
   atoms.residues[0].number = 2436112;
   EXPECT_EQ(message({}),
             "residue number of C1(1) does not fit the columns of a PDB file "
             "(-999 to 2436111)");
-  std::ifstream file(path_);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "precious");
-  EXPECT_EQ(message_of<FileError>(
-                [&] { write_topology_pdb(path_, one_residue(1), std::vector<Vec3>(1), {}); }),
-            path_.string() + ": exists already; overwrite replaces it");
+  EXPECT_EQ(content_of(path_), "precious");
+  EXPECT_ERROR(FileError, path_.string() + ": exists already; overwrite replaces it",
+               write_topology_pdb(path_, one_residue(1), std::vector<Vec3>(1), {}));
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+class PdbRecorderTest : public FileTest {};
 
-TEST(PdbRecorder, WritesAModelAFrameAndBondsOnce) {
-  const TempDirectory directory;
-  const auto path = directory / "out.pdb";
+TEST_F(PdbRecorderTest, WritesAModelAFrameAndBondsOnce) {
   const Framework framework = named_chain(2);
-  PdbRecorder recorder(path, framework.atoms(), {{0, 1, 0, 1}});
+  PdbRecorder recorder(path_, framework.atoms(), {{0, 1, 0, 1}});
   recorder.record(std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
-  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_FALSE(std::filesystem::exists(path_));
   recorder.record(std::vector<Vec3>{{-1, 2, 3}, {4, 5, 9999.999}});
   recorder.close();
   EXPECT_EQ(recorder.models(), 2);
-  EXPECT_EQ(text_of(path),
+  EXPECT_EQ(content_of(path_),
             "MODEL        1\n"
             "ATOM      1  CA  ALA A  -3       1.000   2.000   3.000  1.00  0.00           C\n"
             "ATOM      2 HB11 LYS A  -3B      4.000   5.000   6.000  1.00  0.00           H\n"
@@ -215,31 +193,26 @@ TEST(PdbRecorder, WritesAModelAFrameAndBondsOnce) {
             "END\n");
 }
 
-TEST(PdbRecorder, LeavesNothingThatIsNotClosed) {
-  const TempDirectory directory;
-  { PdbRecorder(directory / "out.pdb", named_chain(1).atoms()).record(std::vector<Vec3>{{}}); }
-  PdbRecorder(directory / "empty.pdb", named_chain(1).atoms()).close();
-  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+TEST_F(PdbRecorderTest, LeavesNothingThatIsNotClosed) {
+  { PdbRecorder(path_, named_chain(1).atoms()).record(std::vector<Vec3>{{}}); }
+  PdbRecorder(directory_ / "empty.pdb", named_chain(1).atoms()).close();
+  EXPECT_TRUE(std::filesystem::is_empty(directory_.path()));
 }
 
-TEST(PdbRecorder, RefusesWhatDoesNotFit) {
-  const TempDirectory directory;
-  const auto path = directory / "out.pdb";
-  PdbRecorder recorder(path, named_chain(1).atoms());
-  const std::string name = std::filesystem::canonical(directory.path()).string() + "/out.pdb: ";
-  EXPECT_EQ(message_of<InputError>([&] { recorder.record(std::vector<Vec3>(2)); }),
-            name + "2 positions for 1 atoms");
-  EXPECT_EQ(message_of<InputError>([&] {
-              recorder.record(std::vector<Vec3>{{-1000, 0, 0}});
-            }),
-            name +
-                "model 1: position of A:LYS-3B:CA (-1000, 0, 0) does not fit the columns of a "
-                "PDB file (-999.999 to 9999.999 Angstrom)");
+TEST_F(PdbRecorderTest, RefusesWhatDoesNotFit) {
+  PdbRecorder recorder(path_, named_chain(1).atoms());
+  const std::string name = std::filesystem::canonical(directory_.path()).string() + "/run.h5md: ";
+  EXPECT_ERROR(InputError, name + "2 positions for 1 atoms", recorder.record(std::vector<Vec3>(2)));
+  EXPECT_ERROR(InputError,
+               name +
+                   "model 1: position of A:LYS-3B:CA (-1000, 0, 0) does not fit the columns of a "
+                   "PDB file (-999.999 to 9999.999 Angstrom)",
+               recorder.record(std::vector<Vec3>{{-1000, 0, 0}}));
   recorder.close();
-  EXPECT_EQ(message_of<FileError>([&] { recorder.record(std::vector<Vec3>(1)); }),
-            name + "is closed: no frame can be recorded");
-  EXPECT_EQ(message_of<InputError>([&] { PdbRecorder(path, bare(2).atoms()); }),
-            "a framework without names of atoms cannot be written as PDB");
+  EXPECT_ERROR(FileError, name + "is closed: no frame can be recorded",
+               recorder.record(std::vector<Vec3>(1)));
+  EXPECT_ERROR(InputError, "a framework without names of atoms cannot be written as PDB",
+               PdbRecorder(path_, bare(2).atoms()));
 }
 
 }  // namespace pliant::topology_pdb_test

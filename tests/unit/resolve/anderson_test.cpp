@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/sweeps/anderson.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "pliant/base/random.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/lab/generate/random_graphs.hpp"
 #include "pliant/resolve/sweeps/anderson_sweeps.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::anderson_test {
 
@@ -136,9 +132,7 @@ void each_pushed_graph(Look look) {
 
 ResolveSummary resolved_within(const Technique& technique, const Framework& framework,
                                std::vector<Vec3> x, Joint root) {
-  ResolveOptions options;
-  options.max_sweeps = 100000;
-  return resolve(framework, technique, x, options, root);
+  return resolve(framework, technique, x, {.max_sweeps = 100000}, root);
 }
 
 /// The promise of AcceleratedSweeps: what P plain sweeps resolve takes at most 3 P + 50.

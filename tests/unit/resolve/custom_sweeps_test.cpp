@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sweeps that callers see and make: Technique::sweep, functions of theirs, and
 // ResolveOptions::on_bar, which shows bars being repaired one by one.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
-
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/order/ordering.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
@@ -14,8 +8,8 @@
 #include "pliant/resolve/walkers.hpp"
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::custom_sweeps_test {
 
@@ -63,8 +57,7 @@ TEST(CustomSweeps, AreCountedAndGivenUp) {
   std::vector<std::int64_t> sweeps;
   const Technique idle =
       custom([&](std::span<Vec3>, std::int64_t sweep) { sweeps.push_back(sweep); });
-  ResolveOptions options;
-  options.max_sweeps = 3;
+  ResolveOptions options{.max_sweeps = 3};
   EXPECT_EQ(resolve(framework, idle, x, options).stop, Stop::max_sweeps);
   EXPECT_EQ(sweeps, (std::vector<std::int64_t>{0, 1, 2}));
   options.should_stop = [] { return true; };
@@ -74,11 +67,8 @@ TEST(CustomSweeps, AreCountedAndGivenUp) {
 }
 
 TEST(CustomSweeps, WhatIsNotFiniteIsPutBack) {
-  FrameworkParts parts;
-  parts.joint_count = 3;  // the last of them has no bar
-  parts.bars = {{0, 1}};
-  parts.rest_lengths = {1.5};
-  const Framework framework(std::move(parts));
+  // The last joint has no bar.
+  const Framework framework({.joint_count = 3, .bars = {{0, 1}}, .rest_lengths = {1.5}});
   for (Joint joint : {0, 2}) {
     std::vector<Vec3> x = {{0, 0, 0}, {0, 0, 2}, {3, 0, 0}};
     const std::vector<Vec3> before = x;
@@ -103,28 +93,31 @@ TEST(CustomSweeps, WhatTheyThrowLeavesPositionsAsTheyWere) {
 }
 
 TEST(CustomSweeps, LeavePinnedJointsWhereTheyAre) {
-  FrameworkParts parts;
-  parts.joint_count = 2;
-  parts.bars = {{0, 1}};
-  parts.rest_lengths = {1.5};
-  parts.pinned = {0};
-  const Framework framework(std::move(parts));
+  const Framework framework(
+      {.joint_count = 2, .bars = {{0, 1}}, .rest_lengths = {1.5}, .pinned = {0}});
   std::vector<Vec3> x = {{0, 0, 0}, {0, 0, 2}};
   EXPECT_TRUE(resolve(framework, projecting(framework), x).converged());
   EXPECT_EQ(x[0], Vec3());
 }
 
-TEST(CustomSweeps, ResolveWalkersOneByOne) {
-  const Sketch sketch = ring(6);
-  const Framework framework = framework_of(sketch);
-  std::vector<Vec3> alone = pushed(sketch);
-  std::vector<std::vector<Vec3>> conformers(9, alone);
+/// Nine walkers that begin alike, resolved without lanes; their positions and summaries.
+std::pair<std::vector<std::vector<Vec3>>, std::vector<ResolveSummary>> nine_resolved(
+    const Framework& framework, const std::vector<Vec3>& start, const Technique& technique,
+    const ResolveOptions& options = {}) {
+  std::vector<std::vector<Vec3>> conformers(9, start);
   std::vector<WalkerPositions> walkers;
   for (std::uint64_t k = 0; k < 9; ++k) walkers.push_back({k, conformers[k]});
   std::vector<ResolveSummary> summaries(9);
-  WalkerResolver resolver(framework, projecting(framework));
+  WalkerResolver resolver(framework, technique, options);
   EXPECT_EQ(resolver.level(), "");
-  resolver.resolve(walkers, summaries);
+  resolver.resolve(walkers, summaries, 1);
+  return {conformers, summaries};
+}
+
+TEST(CustomSweeps, ResolveWalkersOneByOne) {
+  const Framework framework = framework_of(ring(6));
+  std::vector<Vec3> alone = pushed(ring(6));
+  const auto conformers = nine_resolved(framework, alone, projecting(framework)).first;
   resolve(framework, projecting(framework), alone);
   for (const std::vector<Vec3>& x : conformers) EXPECT_TRUE(test::same_bits(x, alone));
 }
@@ -132,9 +125,7 @@ TEST(CustomSweeps, ResolveWalkersOneByOne) {
 TEST(CustomSweeps, RunAndAreRecorded) {
   const Sketch sketch = ring(6);
   const Framework framework = framework_of(sketch);
-  RunOptions options;
-  options.steps = 20;
-  options.technique = projecting(framework);
+  RunOptions options{.technique = projecting(framework), .steps = 20};
   State own(sketch.positions), ours(sketch.positions);
   EXPECT_EQ(run(framework, own, options, {}).unconverged_steps, 0);
   const std::vector<NamedParameter> values = parameters_of(options, framework);
@@ -150,12 +141,11 @@ TEST(CustomSweeps, HaveANameOfTheirOwn) {
   Technique technique = custom([](std::span<Vec3>, std::int64_t) {});
   EXPECT_NO_THROW(check(technique));
   technique.name = "blocks";
-  EXPECT_EQ(test::error_text<OptionError>([&] { check(technique); }),
-            "sweep: goes with the technique custom, not with blocks");
+  EXPECT_ERROR(OptionError, "sweep: goes with the technique custom, not with blocks",
+               check(technique));
   EXPECT_THROW(check(Technique{custom_technique}), OptionError);
   for (const TechniqueEntry& row : techniques()) EXPECT_NE(row.name, custom_technique);
-  ResolveOptions options;
-  options.on_bar = [](const RepairedBar&) {};
+  const ResolveOptions options{.on_bar = [](const RepairedBar&) {}};
   const Framework framework = framework_of(chain(3));
   EXPECT_THROW(Resolver(framework, projecting(framework), options), OptionError);
 }
@@ -168,8 +158,7 @@ TEST(OnBar, ShowsEachVisitOfEveryOrdering) {
     SCOPED_TRACE(row.name);
     std::vector<Vec3> watched = pushed(sketch), alone = watched, last;
     std::int64_t visits = 0;
-    ResolveOptions options;
-    options.on_bar = [&](const RepairedBar& repaired) {
+    const ResolveOptions options{.on_bar = [&](const RepairedBar& repaired) {
       const Bar bar = framework.bars()[repaired.bar];
       EXPECT_EQ(std::minmax(bar.a, bar.b), std::minmax(repaired.near, repaired.far));
       for (Joint joint = 0; joint < last.size(); ++joint) {
@@ -178,7 +167,7 @@ TEST(OnBar, ShowsEachVisitOfEveryOrdering) {
       }
       last.assign(repaired.positions.begin(), repaired.positions.end());
       ++visits;
-    };
+    }};
     const Technique technique{std::string(row.name)};
     const ResolveSummary summary = resolve(framework, technique, watched, options, 1);
     resolve(framework, technique, alone, {}, 1);
@@ -191,36 +180,24 @@ TEST(OnBar, ShowsEachVisitOfEveryOrdering) {
 
 TEST(OnBar, IsRefusedByWhatDoesNotGoBarByBar) {
   const Framework framework = framework_of(chain(3));
-  ResolveOptions options;
-  options.on_bar = [](const RepairedBar&) {};
+  ResolveOptions options{.on_bar = [](const RepairedBar&) {}};
   for (const TechniqueEntry& row : techniques()) {
     const bool is_ordering =
-        std::any_of(orderings().begin(), orderings().end(),
-                    [&](const OrderingEntry& ordering) { return ordering.name == row.name; });
-    const Technique technique{std::string(row.name)};
-    if (is_ordering) {
-      EXPECT_NO_THROW(Resolver(framework, technique, options)) << row.name;
-    } else {
-      EXPECT_THROW(Resolver(framework, technique, options), OptionError) << row.name;
-    }
+        std::ranges::any_of(orderings(), [&](const auto& one) { return one.name == row.name; });
+    const auto refusal = test::error_text<OptionError>(
+        [&] { Resolver(framework, Technique{std::string(row.name)}, options); });
+    EXPECT_EQ(refusal.empty(), is_ordering) << row.name;
   }
-  EXPECT_EQ(test::error_text<OptionError>([&] { Resolver(framework, {"blocks"}, options); }),
-            "on_bar: technique blocks does not go bar by bar; orderings do");
+  EXPECT_ERROR(OptionError, "on_bar: technique blocks does not go bar by bar; orderings do",
+               Resolver(framework, {"blocks"}, options));
 }
 
 TEST(OnBar, WalkersAreWatchedToo) {
-  const Sketch sketch = chain(7);
-  const Framework framework = framework_of(sketch);
-  std::vector<std::vector<Vec3>> conformers(9, pushed(sketch));
-  std::vector<WalkerPositions> walkers;
-  for (std::uint64_t k = 0; k < 9; ++k) walkers.push_back({k, conformers[k]});
-  std::vector<ResolveSummary> summaries(9);
+  const Framework framework = framework_of(chain(7));
   std::int64_t visits = 0, projections = 0;
-  ResolveOptions options;
-  options.on_bar = [&](const RepairedBar&) { ++visits; };
-  WalkerResolver resolver(framework, {"bfs_cycle"}, options);
-  EXPECT_EQ(resolver.level(), "");
-  resolver.resolve(walkers, summaries, 1);
+  const auto summaries = nine_resolved(framework, pushed(chain(7)), {"bfs_cycle"},
+                                       {.on_bar = [&](const RepairedBar&) { ++visits; }})
+                             .second;
   for (const ResolveSummary& summary : summaries) projections += summary.projections;
   EXPECT_EQ(visits, projections);
 }

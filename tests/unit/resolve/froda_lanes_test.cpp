@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/bodies/pull/froda_lanes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <numbers>
 #include <random>
-#include <vector>
 
 #include "pliant/base/math/elementary.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
@@ -20,13 +12,11 @@
 #include "pliant/resolve/bodies/tree/turn_springs.hpp"
 #include "support/frameworks.hpp"
 #include "support/molecules.hpp"
+#include "support/test.hpp"
 
 namespace pliant::froda_lanes_test {
 
-struct Molecule {
-  Framework framework;
-  std::vector<Vec3> start;
-};
+using test::Molecule;
 
 /// Spheres that are `least` apart (Angstrom), a limit between the first atom and the last where
 /// these have no bar, and torsion preferences about every third bond that can turn.
@@ -34,11 +24,7 @@ Molecule molecule(const std::string& file, double least) {
   const Structure structure = test::bonded(molecule_file(file));
   BuildOptions options{.bars = BarKind::angles};
   const Framework bare = build_framework(structure, options);
-  auto sterics =
-      std::make_shared<Sterics>(Sterics{.kind_count = 1,
-                                        .kinds = std::vector<std::uint16_t>(bare.joint_count(), 0),
-                                        .least = {least},
-                                        .excluded_bonds = 3});
+  auto sterics = test::spheres(bare.joint_count(), least);
   options.sterics = sterics;
   sterics->own = own_distances(build_framework(structure, options), structure.positions);
   const auto last = static_cast<Joint>(bare.joint_count() - 1);
@@ -55,32 +41,16 @@ Molecule molecule(const std::string& file, double least) {
   return {build_framework(structure, options), structure.positions};
 }
 
-FrodaOptions careful() {
-  FrodaOptions options;
-  options.is_careful = true;
-  options.has_torsion_preferences = true;
-  return options;
-}
+FrodaOptions careful() { return {.is_careful = true, .has_torsion_preferences = true}; }
 
 /// Three of a molecule, side by side.
 Molecule three_of(const Molecule& one) {
-  const std::size_t joints = one.start.size();
-  FrameworkParts all;
-  all.joint_count = 3 * joints;
-  auto sterics = std::make_shared<Sterics>(*one.framework.sterics());
-  sterics->own.clear();
-  sterics->kinds.assign(3 * joints, 0);
-  std::vector<Vec3> start;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto first = static_cast<Joint>(k * joints);
-    for (const Bar bar : one.framework.bars()) all.bars.push_back({first + bar.a, first + bar.b});
-    for (const double rest : one.framework.rest_lengths()) all.rest_lengths.push_back(rest);
-    for (const Vec3 x : one.start) start.push_back(x + Vec3{0, 0, 7.0 * double(k)});
-  }
-  all.drawn = start;
-  all.sterics = sterics;
-  sterics->own = own_distances(Framework(all), start);
-  return {Framework(std::move(all)), start};
+  FrameworkParts parts = test::copies_of(one.framework, one.start, 3, {0, 0, 7}).parts();
+  const std::vector<Vec3> start = parts.drawn;
+  auto sterics = test::spheres(parts.joint_count, one.framework.sterics()->least[0]);
+  parts.sterics = sterics;
+  sterics->own = own_distances(Framework(parts), start);
+  return {Framework(std::move(parts)), start};
 }
 
 /// What each of some frames is asked for: some wait for several targets on the way. The third is
@@ -211,8 +181,7 @@ Framework framework_of(const std::vector<Vec3>& drawn, double free, bool is_reve
   parts.torsion_preferences = std::make_shared<const TorsionPreferences>(
       TorsionPreferences{.staggered = {{joints, free * degrees}}});
   // Spheres of no size, so that steps with contacts are taken at all.
-  parts.sterics = std::make_shared<const Sterics>(
-      Sterics{.kind_count = 1, .kinds = {0, 0, 0, 0}, .least = {1.6}, .excluded_bonds = 2});
+  parts.sterics = test::spheres(4, 1.6, 2);
   return Framework(std::move(parts));
 }
 
@@ -256,10 +225,7 @@ TEST(TurnSprings, PullAnEclipsedTorsionBack) {
         const BodyPlan plan = *BodyPlan::make(framework);
         FrodaSolver solver(framework, plan);
         std::vector<Vec3> out(4);
-        FrodaOptions options;
-        options.is_careful = true;
-        options.has_torsion_preferences = true;
-        const FrodaResult result = solver.resolve(start, chain(pushed), out, options);
+        const FrodaResult result = solver.resolve(start, chain(pushed), out, careful());
         EXPECT_TRUE(result.is_whole);
         EXPECT_LT(measure(framework, out).max_relative, 1e-12);
         return torsion_of(out);
@@ -274,22 +240,16 @@ TEST(TurnSprings, PullAnEclipsedTorsionBack) {
 TEST(TurnSprings, LetGoWhereContactsWouldNotHoldAgainstThem) {
   const std::vector<Vec3> start = chain(118.0), nearest = chain(115.0);
   FrameworkParts parts = framework_of(start, 15.0, false).parts();
-  parts.sterics =
-      std::make_shared<const Sterics>(Sterics{.kind_count = 1,
-                                              .kinds = {0, 0, 0, 0},
-                                              .least = {distance(nearest[0], nearest[3])},
-                                              .excluded_bonds = 2,
-                                              .bonds = {{0, 1}, {1, 2}, {2, 3}}});
+  auto sterics = test::spheres(4, distance(nearest[0], nearest[3]), 2);
+  sterics->bonds = {{0, 1}, {1, 2}, {2, 3}};
+  parts.sterics = sterics;
   const Framework framework(std::move(parts));
   const BodyPlan plan = *BodyPlan::make(framework);
   FrodaSolver solver(framework, plan);
   std::vector<Vec3> out(4);
-  FrodaOptions options;
-  options.is_careful = true;
-  options.has_torsion_preferences = true;
-  const FrodaResult result = solver.resolve(start, chain(80.0), out, options);
+  const FrodaResult result = solver.resolve(start, chain(80.0), out, careful());
   EXPECT_TRUE(result.is_whole);
-  EXPECT_LE(result.max_overlap, options.goal);
+  EXPECT_LE(result.max_overlap, careful().goal);
   EXPECT_NEAR(torsion_of(out), 115.0, 0.5);
 }
 

@@ -1,40 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/bodies/froda.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <memory>
-
 #include "pliant/resolve/bodies/pull/froda_solver.hpp"
 #include "support/frameworks.hpp"
 #include "support/molecules.hpp"
+#include "support/test.hpp"
 
 namespace pliant::froda_test {
 
-struct Molecule {
-  Framework framework;
-  std::vector<Vec3> start;
-};
+using test::molecule;
+using test::Molecule;
 
-Molecule molecule(const std::string& file, const std::shared_ptr<const Sterics>& sterics = {},
-                  const std::vector<Limit>& limits = {}) {
-  const Structure structure = test::bonded(molecule_file(file));
-  BuildOptions options{.bars = BarKind::angles};
-  options.sterics = sterics;
-  options.limits = limits;
-  return {build_framework(structure, options), structure.positions};
-}
-
-double worst_bar(const Framework& framework, std::span<const Vec3> x) {
-  return measure(framework, x).max_relative;
+/// The same with spheres.
+Molecule with_spheres(const std::string& file, double least,
+                      const std::vector<OwnDistance>& own = {}) {
+  auto sterics = test::spheres(molecule(file).framework.joint_count(), least);
+  sterics->own = own;
+  return molecule(file, {.sterics = sterics});
 }
 
 /// Each joint belongs to one body, which comes after the one it hangs on; a forest needs no cuts.
 TEST(BodyPlan, EveryJointBelongsToOneBody) {
-  for (const auto& entry : std::filesystem::directory_iterator(molecules_folder())) {
-    const Molecule m = molecule(entry.path().filename().string());
+  test::each_molecule([](const Molecule& m) {
     const auto plan = BodyPlan::make(m.framework);
     ASSERT_TRUE(plan);
     EXPECT_EQ(plan->place_count(), m.framework.joint_count() + plan->cuts().size());
@@ -42,14 +29,12 @@ TEST(BodyPlan, EveryJointBelongsToOneBody) {
       EXPECT_EQ(plan->joint_at()[plan->place_of(joint)], joint);
     for (std::size_t k = 0; k < plan->bodies().size(); ++k)
       EXPECT_LT(plan->bodies()[k].parent, static_cast<std::int32_t>(k));
-  }
+  });
 }
 
 /// However hard the push, bonds and angles stay: also where loops were cut.
 TEST(FrodaSolver, BarsStayWholeWhateverThePush) {
-  for (const auto& entry : std::filesystem::directory_iterator(molecules_folder())) {
-    const Molecule m = molecule(entry.path().filename().string());
-    SCOPED_TRACE(entry.path().filename().string());
+  test::each_molecule([](const Molecule& m) {
     const auto plan = BodyPlan::make(m.framework);
     FrodaSolver solver(m.framework, *plan);
     std::vector<Vec3> out = m.start;
@@ -57,19 +42,18 @@ TEST(FrodaSolver, BarsStayWholeWhateverThePush) {
       const auto pushed = test::shake(m.framework, m.start, size, 4);
       const FrodaResult result = solver.resolve(m.start, pushed, out);
       EXPECT_TRUE(result.is_whole) << size;
-      EXPECT_LT(worst_bar(m.framework, out), 1e-10) << size;
+      EXPECT_LT(test::worst_bar(m.framework, out), 1e-10) << size;
       EXPECT_LE(result.max_closing, 0.3) << size;
     }
-  }
+  });
 }
 
 /// Without contacts torsions alone follow the push: nothing else could come nearer than the best
 /// turn of the one bond of hydrogen peroxide's like, found by trying.
 TEST(FrodaSolver, OneTorsionGoesWhereItFitsBest) {
-  FrameworkParts parts;
-  parts.joint_count = 4;
-  parts.drawn = {{0, 1, 0}, {0, 0, 0}, {1.4, 0, 0}, {1.4, 1, 0}};
-  parts.bars = {{0, 1}, {1, 2}, {0, 2}, {2, 3}, {1, 3}};
+  FrameworkParts parts{.joint_count = 4,
+                       .bars = {{0, 1}, {1, 2}, {0, 2}, {2, 3}, {1, 3}},
+                       .drawn = {{0, 1, 0}, {0, 0, 0}, {1.4, 0, 0}, {1.4, 1, 0}}};
   for (Bar bar : parts.bars)
     parts.rest_lengths.push_back(distance(parts.drawn[bar.a], parts.drawn[bar.b]));
   const Framework framework(parts);
@@ -85,27 +69,14 @@ TEST(FrodaSolver, OneTorsionGoesWhereItFitsBest) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(distance(out[k], target[k]), 0.0, 1e-6) << k;
 }
 
-/// So many copies of a molecule side by side, 60 Angstrom apart, of which no joints touch.
+/// So many copies of a molecule side by side, of which no joints touch.
 Molecule copies_of(const Molecule& one, std::size_t count) {
-  const FrameworkParts parts = test::parts_of(one.framework);
-  const auto joints = static_cast<Joint>(parts.joint_count);
-  FrameworkParts all;
-  std::vector<Vec3> start;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto first = static_cast<Joint>(k * joints);
-    for (Bar bar : parts.bars) all.bars.push_back({first + bar.a, first + bar.b});
-    for (double rest : parts.rest_lengths) all.rest_lengths.push_back(rest);
-    for (Vec3 x : parts.drawn) all.drawn.push_back(x);
-    for (Vec3 x : one.start) start.push_back(x + Vec3{60.0 * double(k), 0, 0});
-  }
-  all.joint_count = count * joints;
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 1;
-  sterics->kinds.assign(all.joint_count, 0);
-  sterics->least = {1.9};
-  all.sterics = sterics;
-  sterics->own = own_distances(Framework(all), start);
-  return {Framework(all), start};
+  FrameworkParts parts = test::copies_of(one.framework, one.start, count, {60, 0, 0}).parts();
+  const std::vector<Vec3> start = std::exchange(parts.drawn, {});
+  auto sterics = test::spheres(parts.joint_count, 1.9);
+  parts.sterics = sterics;
+  sterics->own = own_distances(Framework(parts), start);
+  return {Framework(std::move(parts)), start};
 }
 
 /// What a push of one joint of one molecule takes: bodies that steps looked at.
@@ -134,21 +105,11 @@ TEST(FrodaSolver, ADragLooksAtTheMoleculeThatIsDraggedAlone) {
   EXPECT_LE(all.visits, all.steps * std::int64_t(one.framework.joint_count()));
 }
 
-std::shared_ptr<Sterics> spheres(std::size_t joints, double least) {
-  auto sterics = std::make_shared<Sterics>();
-  sterics->kind_count = 1;
-  sterics->kinds.assign(joints, 0);
-  sterics->least = {least};
-  return sterics;
-}
-
 /// Two argon atoms on one place but for a little part; a limit pulls two others together.
 TEST(FrodaSolver, HoldsSpheresApartAndLimitsTogether) {
-  FrameworkParts parts;
-  parts.joint_count = 4;
-  parts.sterics = spheres(4, 3.0);
-  parts.limits = {{2, 3, 0.0, 5.0, LimitKind::given, 0.0, no_limit_group}};
-  const Framework framework(parts);
+  const Framework framework({.joint_count = 4,
+                             .limits = {{2, 3, 0.0, 5.0, LimitKind::given, 0.0, no_limit_group}},
+                             .sterics = test::spheres(4, 3.0)});
   const std::vector<Vec3> start{{0, 0, 0}, {4, 0, 0}, {0, 20, 0}, {5, 20, 0}};
   const std::vector<Vec3> target{{0, 0, 0}, {0.5, 0, 0}, {0, 20, 0}, {9, 20, 0}};
   const auto plan = BodyPlan::make(framework);
@@ -161,6 +122,13 @@ TEST(FrodaSolver, HoldsSpheresApartAndLimitsTogether) {
   const std::vector<std::uint8_t> off{1};
   solver.resolve(start, target, out, {}, off);
   EXPECT_NEAR(distance(out[2], out[3]), 9.0, 1e-3);
+}
+
+/// Where the slots of a plan are if joints are at `positions`.
+std::vector<Vec3> places_of(const BodyPlan& plan, std::span<const Vec3> positions) {
+  std::vector<Vec3> places;
+  for (Joint joint : plan.joint_at()) places.push_back(positions[joint]);
+  return places;
 }
 
 /// What the list has of pairs that are too near, beside a look at all pairs; how many there are.
@@ -184,18 +152,14 @@ std::size_t expect_all_found(const NearPairs& list, const Framework& framework,
 
 /// Whether all joints move or one by one, so that but some pairs are listed anew.
 TEST(NearPairs, AreThoseOfALookAtAllPairs) {
-  const Molecule bare = molecule("cyclic_hexapeptide.pdb");
-  auto sterics = spheres(bare.framework.joint_count(), 3.1);
-  sterics->own = {{0, 9, 0.5}, {3, 20, 0.0}};
-  const Molecule m = molecule("cyclic_hexapeptide.pdb", sterics);
+  const Molecule m = with_spheres("cyclic_hexapeptide.pdb", 3.1, {{0, 9, 0.5}, {3, 20, 0.0}});
   const auto plan = BodyPlan::make(m.framework);
   NearPairs list(m.framework, *plan);
   RandomSequence draws({11, Domain::generate});
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
     const auto moved = test::shake(m.framework, m.start, 0.3 * double(seed), seed);
-    std::vector<Vec3> x;
-    for (Joint joint : plan->joint_at()) x.push_back(moved[joint]);
+    std::vector<Vec3> x = places_of(*plan, moved);
     list.update(x);
     EXPECT_GT(expect_all_found(list, m.framework, *plan, x), 0u);
     for (int again = 0; again < 40; ++again) {
@@ -213,8 +177,7 @@ TEST(NearPairs, AreThoseOfALookAtAllPairsWhileManyMove) {
   const auto plan = BodyPlan::make(m.framework);
   NearPairs list(m.framework, *plan);
   RandomSequence draws({12, Domain::generate});
-  std::vector<Vec3> x;
-  for (Joint joint : plan->joint_at()) x.push_back(m.start[joint]);
+  std::vector<Vec3> x = places_of(*plan, m.start);
   list.update(x);
   for (int again = 0; again < 20; ++again) {
     for (int k = 0; k < 70; ++k) x[draws.below(x.size())] += 0.6 * draws.direction();
@@ -225,22 +188,16 @@ TEST(NearPairs, AreThoseOfALookAtAllPairsWhileManyMove) {
 
 /// Places that are back where the list was first made have that list again, which is not made anew.
 TEST(NearPairs, KeepTheFirstList) {
-  const Molecule bare = molecule("peptide_20.pdb");
-  const Molecule m = molecule("peptide_20.pdb", spheres(bare.framework.joint_count(), 3.1));
+  const Molecule m = with_spheres("peptide_20.pdb", 3.1);
   const auto plan = BodyPlan::make(m.framework);
   NearPairs list(m.framework, *plan);
-  const auto places = [&](std::span<const Vec3> of) {
-    std::vector<Vec3> x;
-    for (Joint joint : plan->joint_at()) x.push_back(of[joint]);
-    return x;
-  };
-  list.update(places(m.start));
+  list.update(places_of(*plan, m.start));
   for (std::uint64_t seed = 1; seed < 4; ++seed) {
-    const auto far = places(test::shake(m.framework, m.start, 0.8, seed));
+    const auto far = places_of(*plan, test::shake(m.framework, m.start, 0.8, seed));
     list.update(far);
     expect_all_found(list, m.framework, *plan, far);
     const auto made = list.lists_made();
-    const auto back = places(test::shake(m.framework, m.start, 0.02, seed));
+    const auto back = places_of(*plan, test::shake(m.framework, m.start, 0.02, seed));
     list.update(back);
     EXPECT_EQ(list.lists_made(), made);
     expect_all_found(list, m.framework, *plan, back);
@@ -255,15 +212,12 @@ TEST(NearPairs, KeepTheFirstList) {
 /// Careful pulls on the way look at contacts as often as asked; those to the last target are blind
 /// once, and then weigh contacts more each time.
 TEST(FrodaFrame, CarefulPullsWeighContactsMoreEachTime) {
-  const Molecule bare = molecule("peptide_20.pdb");
-  const Molecule m = molecule("peptide_20.pdb", spheres(bare.framework.joint_count(), 3.0));
+  const Molecule m = with_spheres("peptide_20.pdb", 3.0);
   const auto plan = BodyPlan::make(m.framework);
   std::vector<Vec3> target = m.start;
   for (std::size_t k = 0; k < target.size() / 2; ++k) target[k] += Vec3{9.0, 0.0, 0.0};
   const auto weights = [&](int legs_a_look) {
-    FrodaOptions options;
-    options.is_careful = true;
-    options.legs_a_look = legs_a_look;
+    const FrodaOptions options{.is_careful = true, .legs_a_look = legs_a_look};
     FrodaFrame frame(m.framework, *plan);
     frame.begin({m.start, target}, options);
     EXPECT_EQ(frame.legs(), 5);
@@ -297,11 +251,9 @@ TEST(FrodaSolver, ASmallPushTakesFewSteps) {
 
 /// The technique, from any push and without knowing where bars were whole.
 TEST(Froda, ResolvesFrameworksWithLimitsAndSterics) {
-  const Molecule bare = molecule("cyclic_hexapeptide.pdb");
-  const Molecule m = molecule("cyclic_hexapeptide.pdb", spheres(bare.framework.joint_count(), 2.0));
+  const Molecule m = with_spheres("cyclic_hexapeptide.pdb", 2.0);
   std::vector<Vec3> x = test::shake(m.framework, m.start, 0.2, 3);
-  ResolveOptions options;
-  options.tolerance.overlap = 0.1;
+  const ResolveOptions options{.tolerance = {.overlap = 0.1}};
   const ResolveSummary summary = resolve(m.framework, {"froda"}, x, options);
   EXPECT_TRUE(summary.converged()) << summary.brief(m.framework);
   EXPECT_TRUE(measure(m.framework, x, options.tolerance).within);

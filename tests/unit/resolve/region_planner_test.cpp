@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/bodies/region/region_planner.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-#include <utility>
-
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/bodies/region/drawn_shapes.hpp"
@@ -15,6 +9,7 @@
 #include "pliant/resolve/resolve.hpp"
 #include "support/frameworks.hpp"
 #include "support/molecules.hpp"
+#include "support/test.hpp"
 
 namespace pliant::region_planner_test {
 
@@ -55,20 +50,17 @@ void expect_closed_by_ground(const Framework& framework, const BodyPlan& plan) {
 }
 
 TEST(RegionPlanner, PlansAroundAnyJointOfAnyMolecule) {
-  for (const auto& entry : std::filesystem::directory_iterator(molecules_folder())) {
-    SCOPED_TRACE(entry.path().filename().string());
-    const Structure structure = test::bonded(entry.path());
-    const Framework framework = build_framework(structure, {.bars = BarKind::angles});
-    RegionPlanner planner(framework);
-    const auto stride = static_cast<Joint>(1 + framework.joint_count() / 40);
-    for (Joint joint = 0; joint < framework.joint_count(); joint += stride)
+  test::each_molecule([](const test::Molecule& m) {
+    RegionPlanner planner(m.framework);
+    const auto stride = static_cast<Joint>(1 + m.framework.joint_count() / 40);
+    for (Joint joint = 0; joint < m.framework.joint_count(); joint += stride)
       for (std::size_t most : {1, 6, 18, 300}) {
         const BodyPlan& plan = planner.plan(std::vector<Joint>{joint}, most);
         expect_sound(plan);
-        expect_closed_by_ground(framework, plan);
+        expect_closed_by_ground(m.framework, plan);
         EXPECT_TRUE(moving(plan).contains(joint) || plan.is_ground(0));
       }
-  }
+  });
 }
 
 TEST(RegionPlanner, IsNoLargerInALongerChain) {
@@ -181,11 +173,10 @@ TEST(DrawnShapes, LeaveAllAsItIsWhereAUnitHasAnotherShape) {
 /// A centre a little above the plane of its three neighbours, all held to each other: its mirror
 /// image has the same lengths.
 Framework flat_group(std::vector<Joint> pinned = {}) {
-  FrameworkParts parts;
-  parts.joint_count = 4;
-  parts.pinned = std::move(pinned);
-  parts.drawn = {{0, 0, 0.05}, {1.4, 0, 0}, {-0.7, 1.2, 0}, {-0.7, -1.2, 0}};
-  parts.bars = complete(4).bars;
+  FrameworkParts parts{.joint_count = 4,
+                       .bars = complete(4).bars,
+                       .pinned = std::move(pinned),
+                       .drawn = {{0, 0, 0.05}, {1.4, 0, 0}, {-0.7, 1.2, 0}, {-0.7, -1.2, 0}}};
   for (Bar bar : parts.bars)
     parts.rest_lengths.push_back(distance(parts.drawn[bar.a], parts.drawn[bar.b]));
   return Framework(std::move(parts));

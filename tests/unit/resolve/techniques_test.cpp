@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/techniques.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <set>
-
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/auto.hpp"
 #include "pliant/resolve/method/shares.hpp"
 #include "pliant/resolve/resolve.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::techniques_test {
 
@@ -30,20 +25,19 @@ TEST(Techniques, HoldEveryOrderingAndNamesOfTheirOwn) {
 }
 
 TEST(CheckTechnique, RefusesUnknownNamesAndWeightings) {
-  const auto refusal = [](const Technique& technique) {
-    return test::error_text<OptionError>([&] { check(technique); });
-  };
   EXPECT_THROW(check(Technique{"shuffle"}), OptionError);
-  EXPECT_EQ(refusal({"random", -0.1}), "weighting = -0.1: must be from 0 to 1");
-  EXPECT_EQ(refusal({"random", 1.0000001}), "weighting = 1.0000001: must be from 0 to 1");
-  EXPECT_EQ(refusal({"random", std::nan("")}), "weighting = nan: must be from 0 to 1");
+  for (const auto& [weighting, text] :
+       {std::pair{-0.1, "-0.1"}, {1.0000001, "1.0000001"}, {std::nan(""), "nan"}})
+    EXPECT_ERROR(OptionError, "weighting = " + std::string(text) + ": must be from 0 to 1",
+                 check(Technique{"random", weighting}));
   for (double weighting : {0.0, 0.3, 1.0}) EXPECT_NO_THROW(check(Technique{"random", weighting}));
 }
 
 TEST(CheckTechnique, RefusesWhatLeavesBarsOut) {
-  EXPECT_EQ(
-      test::error_text<OptionError>([] { check(Technique{"bfs_tree"}, framework_of(grid(2, 2))); }),
-      "technique = bfs_tree: is for trees only, but the framework has 4 independent cycles");
+  EXPECT_ERROR(
+      OptionError,
+      "technique = bfs_tree: is for trees only, but the framework has 4 independent cycles",
+      check(Technique{"bfs_tree"}, framework_of(grid(2, 2))));
   EXPECT_NO_THROW(check(Technique{"bfs_tree"}, framework_of(star(3))));
   EXPECT_NO_THROW(check(Technique{"bfs_cycle"}, framework_of(grid(2, 2))));
 }
@@ -85,13 +79,12 @@ TEST(GivenOrdering, ResolvesAsTheTechniqueThatItWasTakenFrom) {
 /// Joints 0 (12 u), 1 (1 u) and 2, pinned or not.
 std::pair<double, double> shares_of(double weighting, bool mass_weighted, OrderedBar visit,
                                     std::vector<Joint> pinned = {}) {
-  FrameworkParts parts;
-  parts.joint_count = 3;
-  parts.bars = {{0, 1}, {1, 2}};
-  parts.rest_lengths = {1, 1};
-  parts.masses = {12, 1, 16};
-  parts.pinned = std::move(pinned);
-  return shares({"input", weighting, mass_weighted}, visit, Framework(std::move(parts)));
+  return shares({"input", weighting, mass_weighted}, visit,
+                Framework({.joint_count = 3,
+                           .bars = {{0, 1}, {1, 2}},
+                           .rest_lengths = {1, 1},
+                           .masses = {12, 1, 16},
+                           .pinned = std::move(pinned)}));
 }
 
 using Shares = std::pair<double, double>;
@@ -124,15 +117,16 @@ TEST(Shares, OfPinnedJointsGoToTheOther) {
 /// The least and the largest mass in one bar: still shares, no 0/0.
 TEST(Shares, StayFiniteAtTheEndsOfTheRangeOfMasses) {
   for (const auto& [one, other] : {std::pair{1e-150, 1e150}, {1e-150, 1e-150}, {1e150, 1e150}}) {
-    FrameworkParts parts;
-    parts.joint_count = 2;
-    parts.bars = {{0, 1}};
-    parts.rest_lengths = {1};
-    parts.masses = {one, other};
-    const auto [near, far] =
-        shares({"input", 0.5, true}, {0, 0, true}, Framework(std::move(parts)));
+    const auto [near, far] = shares(
+        {"input", 0.5, true}, {0, 0, true},
+        Framework(
+            {.joint_count = 2, .bars = {{0, 1}}, .rest_lengths = {1}, .masses = {one, other}}));
     EXPECT_NEAR(near + far, 1.0, 1e-15);
   }
+}
+
+std::string chosen(const Framework& framework) {
+  return std::string(choose_technique(framework).technique.name);
 }
 
 TEST(Automatic, ChoosesByWhatTheBarsForm) {
@@ -146,32 +140,29 @@ TEST(Automatic, ChoosesByWhatTheBarsForm) {
   const Choice angles = choose_technique(framework_of(with_angles(shaken(chain(9), 0.2))));
   EXPECT_EQ(angles.technique.name, "units");
   EXPECT_EQ(angles.why, "most bars are in triangles: rigid units in one outward pass");
-  const Choice water = choose_technique(framework_of(ring(3)));
-  EXPECT_EQ(water.technique.name, "blocks") << "one triangle is quicker by Newton than as a unit";
-  EXPECT_EQ(choose_technique(framework_of(complete(4))).technique.name, "blocks");
-  EXPECT_EQ(choose_technique(framework_of(complete(5))).technique.name, "units");
-  const Choice hub = choose_technique(framework_of(complete(80)));
-  EXPECT_EQ(hub.technique.name, "anderson");
+  EXPECT_EQ(chosen(framework_of(ring(3))), "blocks") << "quicker by Newton than as a unit";
+  EXPECT_EQ(chosen(framework_of(complete(4))), "blocks");
+  EXPECT_EQ(chosen(framework_of(complete(5))), "units");
+  EXPECT_EQ(chosen(framework_of(complete(80))), "anderson");
+  EXPECT_EQ(chosen(framework_of(star(500))), "blocks") << "a hub, but no cycle";
+  EXPECT_EQ(chosen(framework_of(chain(1))), "blocks") << "no bar at all";
+  Sketch with_ions = with_angles(shaken(chain(9), 0.2));
+  for (int k = 0; k < 100; ++k) with_ions.positions.push_back({10.0 + k, 0, 0});
+  EXPECT_EQ(chosen(framework_of(with_ions)), "units") << "joints without bars do not count";
   const Framework pinned = test::with_pinned(framework_of(ring(6)), {0, 3});
-  EXPECT_EQ(choose_technique(pinned).technique.name, "newton");
+  EXPECT_EQ(chosen(pinned), "newton");
   EXPECT_TRUE(choose_technique(pinned, {"auto", 0.5, true}).technique.mass_weighted);
 }
 
 /// `moving` and, after it, `still`, all of whose joints are pinned.
 Framework beside_pinned(const Sketch& moving, const Sketch& still) {
-  FrameworkParts parts = test::parts_of(framework_of(moving));
+  Sketch both = moving;
   const auto first = static_cast<Joint>(moving.positions.size());
-  const Framework other = framework_of(still);
-  for (std::size_t k = 0; k < other.bar_count(); ++k) {
-    const Bar bar = other.bars()[k];
-    parts.bars.push_back({bar.a + first, bar.b + first});
-    parts.rest_lengths.push_back(other.rest_lengths()[k]);
-  }
-  parts.joint_count += other.joint_count();
-  parts.masses.clear();
-  parts.drawn.clear();
-  for (Joint joint = 0; joint < other.joint_count(); ++joint) parts.pinned.push_back(first + joint);
-  return Framework(std::move(parts));
+  for (Bar bar : still.bars) both.bars.push_back({bar.a + first, bar.b + first});
+  both.positions.insert(both.positions.end(), still.positions.begin(), still.positions.end());
+  std::vector<Joint> pinned(still.positions.size());
+  std::iota(pinned.begin(), pinned.end(), first);
+  return test::with_pinned(framework_of(both), pinned);
 }
 
 TEST(Automatic, ComponentsThatArePinnedAsAWholeChangeNothing) {
@@ -179,7 +170,7 @@ TEST(Automatic, ComponentsThatArePinnedAsAWholeChangeNothing) {
     const Framework alone = framework_of(moving);
     for (const Sketch& still : {chain(4), ring(5), ring(3)}) {
       const Framework both = beside_pinned(moving, still);
-      EXPECT_EQ(choose_technique(both).technique.name, "blocks");
+      EXPECT_EQ(chosen(both), "blocks");
       std::vector<Vec3> x = test::shake(alone, moving.positions, 0.1), y = x;
       y.insert(y.end(), still.positions.begin(), still.positions.end());
       EXPECT_TRUE(resolve(alone, {}, x).converged());
@@ -192,29 +183,14 @@ TEST(Automatic, ComponentsThatArePinnedAsAWholeChangeNothing) {
 
 TEST(Automatic, PinsThatBindAComponentAreToldFromThoseThatDoNot) {
   const Framework two_rings = beside_pinned(ring(6), ring(6));
-  FrameworkParts parts = test::parts_of(two_rings);
-  parts.pinned = {0, 6};
-  EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "blocks") << "one in each";
-  parts.pinned = {0, 3, 6};
-  EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "newton");
-  parts.pinned = {0, 6, 7, 8, 9, 10, 11};
-  EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "blocks");
-  parts.pinned.clear();
-  for (Joint joint = 0; joint < 12; ++joint) parts.pinned.push_back(joint);
-  EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "blocks") << "nothing moves";
-}
-
-/// Ions and dummy sites beside a molecule.
-TEST(Automatic, DoesNotCountJointsWithoutBars) {
-  Sketch sketch = with_angles(shaken(chain(9), 0.2));
-  for (int k = 0; k < 100; ++k) sketch.positions.push_back({10.0 + k, 0, 0});
-  EXPECT_EQ(choose_technique(framework_of(sketch)).technique.name, "units");
-}
-
-/// A star has a hub but no cycle; no bar at all is no cycle either.
-TEST(Automatic, TakesTheOutwardPassWhereItIsExact) {
-  EXPECT_EQ(choose_technique(framework_of(star(500))).technique.name, "blocks");
-  EXPECT_EQ(choose_technique(framework_of(chain(1))).technique.name, "blocks");
+  std::vector<Joint> all(12);
+  std::iota(all.begin(), all.end(), Joint{0});
+  const std::pair<std::vector<Joint>, const char*> cases[] = {{{0, 6}, "blocks"},  // one in each
+                                                              {{0, 3, 6}, "newton"},
+                                                              {{0, 6, 7, 8, 9, 10, 11}, "blocks"},
+                                                              {all, "blocks"}};  // nothing moves
+  for (const auto& [pinned, name] : cases)
+    EXPECT_EQ(chosen(test::with_pinned(two_rings, pinned)), name);
 }
 
 TEST(Automatic, DoesWhatTheChosenTechniqueDoes) {

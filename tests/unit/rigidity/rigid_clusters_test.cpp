@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/rigidity/rigid_clusters.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <numeric>
-
-#include "pliant/base/error.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/rigidity/framework_rigidity.hpp"
 #include "pliant/rigidity/pebble_game.hpp"
-#include "support/error_text.hpp"
 #include "support/rigidity.hpp"
+#include "support/test.hpp"
 
 namespace pliant::rigid_clusters_test {
 
@@ -66,14 +60,10 @@ TEST(RigidClusters, OfTheDoubleBananaAreTwo) {
 }
 
 TEST(RigidClusters, RefusesEdgesThatJoinNothing) {
-  EXPECT_EQ(test::error_text<InputError>([] {
-              find_rigid_clusters(2, Edges{{0, 1, 5}, {1, 1, 5}});
-            }),
-            "edge 1 joins bodies 1 and 1: expected two of 2 (counted from 0)");
-  EXPECT_EQ(test::error_text<InputError>([] {
-              find_rigid_clusters(2, Edges{{0, 2, 5}});
-            }),
-            "edge 0 joins bodies 0 and 2: expected two of 2 (counted from 0)");
+  EXPECT_ERROR(InputError, "edge 1 joins bodies 1 and 1: expected two of 2 (counted from 0)",
+               find_rigid_clusters(2, Edges{{0, 1, 5}, {1, 1, 5}}));
+  EXPECT_ERROR(InputError, "edge 0 joins bodies 0 and 2: expected two of 2 (counted from 0)",
+               find_rigid_clusters(2, Edges{{0, 2, 5}}));
 }
 
 struct RandomNetwork {
@@ -246,8 +236,8 @@ TEST(FrameworkRigidity, OfCompleteGraphsAllBarsAreRedundant) {
 TEST(FrameworkRigidity, SayWhichPositionsAreWrong) {
   const Framework bar = framework_of(straight_chain(2));
   const std::vector<Vec3> one{{0, 0, 0}};
-  EXPECT_EQ(test::error_text<InputError>([&] { framework_rigidity(bar, one); }),
-            "positions: expected 2, one for each joint, found 1");
+  EXPECT_ERROR(InputError, "positions: expected 2, one for each joint, found 1",
+               framework_rigidity(bar, one));
 }
 
 }  // namespace pliant::rigid_clusters_test

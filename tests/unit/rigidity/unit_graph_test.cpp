@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/rigidity/unit_graph.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/rigidity/unit_shape.hpp"
+#include "support/test.hpp"
 
 namespace pliant::unit_graph_test {
 

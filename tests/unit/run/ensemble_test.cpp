@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/run/ensemble.hpp"
 
-#include <gtest/gtest.h>
-
-#include <map>
 #include <mutex>
 
-#include "pliant/base/error.hpp"
 #include "pliant/lab/examples/examples.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::ensemble_test {
 
@@ -17,14 +13,9 @@ using Hashes = std::map<std::uint64_t, std::uint64_t>;
 
 EnsembleOptions options_of(Shard shard, int threads, const char* technique = "auto",
                            const char* perturb = "displacement") {
-  EnsembleOptions options;
-  options.run.technique.name = technique;
-  options.run.perturb = perturb;
-  options.run.steps = 12;
-  options.run.every = 5;
-  options.shard = shard;
-  options.threads = threads;
-  return options;
+  return {.run = {.technique = {.name = technique}, .perturb = perturb, .steps = 12, .every = 5},
+          .shard = shard,
+          .threads = threads};
 }
 
 /// All frames of each walker, as one number.
@@ -58,29 +49,6 @@ TEST(Ensemble, AShardInTwoHalvesIsTheWhole) {
     }
 }
 
-TEST(Ensemble, AWalkerDoesWhatARunOfItDoes) {
-  const Sketch sketch = ring(7);
-  const Framework framework = framework_of(sketch);
-  const EnsembleOptions options = options_of({4, 7}, 1);
-  std::vector<std::vector<Vec3>> ends;
-  run_ensemble(framework, State(sketch.positions), options, [&](std::uint64_t) {
-    Watchers watchers;
-    watchers.on_end = [&](const RunSummary& summary, const State& state) {
-      EXPECT_EQ(summary.steps, state.step);
-      ends.push_back(state.positions);
-    };
-    return watchers;
-  });
-  ASSERT_EQ(ends.size(), 3u);
-  for (std::uint64_t walker = 4; walker < 7; ++walker) {
-    State state(sketch.positions);
-    RunOptions alone = options.run;
-    alone.resolve.walker = walker;
-    run(framework, state, alone, {});
-    EXPECT_TRUE(test::same_bits(state.positions, ends[walker - 4]));
-  }
-}
-
 /// A chain of twelve, two joints of which a limit ties.
 Framework tied() {
   const Sketch sketch = chain(12);
@@ -108,24 +76,24 @@ TEST(Ensemble, WalkersThatLanesCannotTakeGoOneAfterAnother) {
   EXPECT_EQ(turns_of(tied(), start), (std::vector<std::uint64_t>{0, 1, 2}));
 }
 
-TEST(Ensemble, WithLimitsAWalkerDoesWhatARunOfItDoes) {
-  const Framework framework = tied();
+TEST(Ensemble, AWalkerDoesWhatARunOfItDoes) {
   const State start(chain(12).positions);
-  for (const char* perturb : {"force", "displacement"}) {
-    SCOPED_TRACE(perturb);
-    EnsembleOptions options = options_of({5, 9}, 2, "auto", perturb);
-    Hashes shard, alone;
-    watch_shard(framework, start, options, shard);
-    for (std::uint64_t walker = 5; walker < 9; ++walker) {
-      options.run.resolve.walker = walker;
-      State state = start;
-      run(framework, state, options.run, {[&](const Frame& frame) {
-            alone[walker] = test::hash_of(frame.positions, alone[walker]);
-            return false;
-          }});
+  for (const Framework& framework : {framework_of(chain(12)), tied()})
+    for (const char* perturb : {"force", "displacement"}) {
+      SCOPED_TRACE(perturb);
+      EnsembleOptions options = options_of({5, 9}, 2, "auto", perturb);
+      Hashes shard, alone;
+      watch_shard(framework, start, options, shard);
+      for (std::uint64_t walker = 5; walker < 9; ++walker) {
+        options.run.resolve.walker = walker;
+        State state = start;
+        run(framework, state, options.run, {[&](const Frame& frame) {
+              alone[walker] = test::hash_of(frame.positions, alone[walker]);
+              return false;
+            }});
+      }
+      EXPECT_EQ(shard, alone);
     }
-    EXPECT_EQ(shard, alone);
-  }
 }
 
 /// Those before it are over and told; it stops at its frame; those after it go on.
@@ -193,12 +161,11 @@ TEST(Ensemble, NeedsNoWatchersAndNoWalkers) {
 
 TEST(Ensemble, RefusesWhatCannotBe) {
   const Framework framework = framework_of(chain(3));
-  const auto refusal = [&](Shard shard, int threads) {
-    return test::error_text<OptionError>(
-        [&] { run_ensemble(framework, State(chain(3).positions), options_of(shard, threads)); });
-  };
-  EXPECT_EQ(refusal({0, 1}, 0), "threads = 0: must be from 1");
-  EXPECT_EQ(refusal({5, 3}, 1), "shard = [5, 3): must not end before it begins");
+  const State start(chain(3).positions);
+  EXPECT_ERROR(OptionError, "threads = 0: must be from 1",
+               run_ensemble(framework, start, options_of({0, 1}, 0)));
+  EXPECT_ERROR(OptionError, "shard = [5, 3): must not end before it begins",
+               run_ensemble(framework, start, options_of({5, 3}, 1)));
 }
 
 }  // namespace pliant::ensemble_test

@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/run/steered_walk.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
-#include "pliant/base/error.hpp"
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/run/held_pull.hpp"
 #include "pliant/run/taut_chain.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 
 namespace pliant::steered_walk_test {
 
-RunOptions by(const char* technique) {
-  RunOptions options;
-  options.technique.name = technique;
-  return options;
-}
+RunOptions by(const char* technique) { return {.technique = {.name = technique}}; }
 
 const std::vector<JointForce> push{{2, {40.0, 30.0, 20.0}}, {5, {-10.0, 0.0, 7.0}}};
 
 TEST(SteeredWalk, PullsAsAMotionWithSteeringDoes) {
   const Framework framework = framework_of(ring(9));
-  MotionOptions alone;
-  alone.technique.name = "bfs_cycle";
+  MotionOptions alone{.technique = {.name = "bfs_cycle"}};
   alone.push.clear();
   Motion motion(framework, State(ring(9).positions), alone);
   const auto steering = std::make_shared<Steering>();
@@ -107,8 +97,8 @@ TEST(SteeredWalk, IsWatchedBarByBar) {
   EXPECT_EQ(walk.pull(push).projections, visits);
   EXPECT_EQ(looks, 1);
   EXPECT_TRUE(test::same_bits(plain.state().positions, walk.state().positions));
-  EXPECT_EQ(test::error_text<OptionError>([&] { walk.set(by("newton")); }),
-            "on_bar: technique newton does not go bar by bar; orderings do");
+  EXPECT_ERROR(OptionError, "on_bar: technique newton does not go bar by bar; orderings do",
+               walk.set(by("newton")));
   walk.watch({});
   walk.set(by("newton"));
 }
@@ -135,13 +125,12 @@ TEST(SteeredWalk, TellsHowFarAStepWasThatItTookBack) {
 TEST(SteeredWalk, WhatIsRefusedChangesNothing) {
   const Framework framework = framework_of(ring(9));
   SteeredWalk walk(framework, State(ring(9).positions), by("bfs_cycle"));
-  EXPECT_EQ(test::error_text<OptionError>([&] { walk.set(by("bfs_tree")); }),
-            "technique = bfs_tree: is for trees only, but the framework has 1 independent cycle");
-  EXPECT_EQ(test::error_text<InputError>([&] { walk.pin(std::vector<Joint>{9}); }),
-            "pinned joint 9 of 9 does not exist");
+  EXPECT_ERROR(OptionError,
+               "technique = bfs_tree: is for trees only, but the framework has 1 independent cycle",
+               walk.set(by("bfs_tree")));
+  EXPECT_ERROR(InputError, "pinned joint 9 of 9 does not exist", walk.pin(std::vector<Joint>{9}));
   const std::vector<JointForce> nowhere{{9, {}}};
-  EXPECT_EQ(test::error_text<OptionError>([&] { walk.pull(nowhere); }),
-            "steering: joint 9 of 9 does not exist");
+  EXPECT_ERROR(OptionError, "steering: joint 9 of 9 does not exist", walk.pull(nowhere));
   EXPECT_EQ(walk.options().technique.name, "bfs_cycle");
   EXPECT_TRUE(walk.pinned().empty());
   EXPECT_EQ(walk.state().step, 0);

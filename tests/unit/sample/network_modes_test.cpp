@@ -2,18 +2,11 @@
 // Modes of chains whose eigenvalues are known, and what they do to joints.
 #include "pliant/sample/network/network_modes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "pliant/base/error.hpp"
 #include "pliant/base/math/normal.hpp"
 #include "pliant/sample/network/lowest_modes.hpp"
 #include "pliant/sample/network/mode_displacement.hpp"
 #include "pliant/sample/network/mode_field.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::network_modes_test {
 
@@ -64,9 +57,8 @@ TEST(ModeField, HasTheAmplitudeThatWasAskedFor) {
   double squares = 0.0;
   for (Vec3 move : field) squares += norm_squared(move) / 5.0;
   EXPECT_NEAR(std::sqrt(squares), 0.3, 1e-12);
-  EXPECT_EQ(
-      test::error_text<OptionError>([&] { mode_field(nodes, nodes.positions, 13, 0.3, "gnm"); }),
-      "mode = 13: must be from 1 to 12, the modes of the network");
+  EXPECT_ERROR(OptionError, "mode = 13: must be from 1 to 12, the modes of the network",
+               mode_field(nodes, nodes.positions, 13, 0.3, "gnm"));
 }
 
 struct Cube {

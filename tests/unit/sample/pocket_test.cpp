@@ -2,16 +2,10 @@
 // Sampler `pocket` on a peptide: which side chains it redraws, the texts of its refusals, its bits.
 #include "pliant/sample/pocket/pocket.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "pliant/jobs/sample_task.hpp"
 #include "pliant/sample/pocket/side_chain_moves.hpp"
-#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/test.hpp"
 #include "unit/jobs/sampled_molecules.hpp"
 
 namespace pliant::pocket_test {
@@ -36,16 +30,6 @@ SampleAsked asked_around(const std::string& selection, const std::string& sample
   asked.options.sampler = sampler;
   asked.options.amplitude = 0.3;
   return asked;
-}
-
-std::vector<Vec3> positions_of(const SampleAsked& asked) {
-  std::vector<Vec3> all;
-  SampleTask(subject_of(peptide()), asked).run([&](const Frame& frame) {
-    EXPECT_EQ(frame.drawn_by, DrawnBy::pocket);
-    all.insert(all.end(), frame.positions.begin(), frame.positions.end());
-    return false;
-  });
-  return all;
 }
 
 TEST(Pocket, IsWhatIsSelectedOfAProtein) {
@@ -84,33 +68,20 @@ TEST(Pocket, RedrawsSideChainsOfThePlaceAloneAndNearRotamers) {
   EXPECT_GT(changed, 5U);
 }
 
-TEST(Pocket, FramesDependOnSeedAndNumberAlone) {
-  const SampleAsked asked = asked_around("resid 4-12");
-  const std::vector<Vec3> all = positions_of(asked);
-  SampleAsked threaded = asked;
-  threaded.options.threads = 3;
-  EXPECT_TRUE(test::same_bits(positions_of(threaded), all));
-  SampleAsked piece = asked;
-  piece.options.first_frame = 7;
-  piece.options.frames = 5;
-  const std::vector<Vec3> last(all.end() - 5 * std::ptrdiff_t(peptide().positions.size()),
-                               all.end());
-  EXPECT_TRUE(test::same_bits(positions_of(piece), last));
-}
-
 TEST(Pocket, IsChosenByASelection) {
   const SampleTask task(subject_of(peptide()), asked_around("resid 5", "auto"));
   EXPECT_EQ(task.options().sampler, "pocket");
-}
-
-std::string refusal(const std::string& selection, const std::string& sampler = "pocket") {
-  return test::error_text<OptionError>(
-      [&] { SampleTask(subject_of(peptide()), asked_around(selection, sampler)); });
+  task.run([&](const Frame& frame) {
+    EXPECT_EQ(frame.drawn_by, DrawnBy::pocket);
+    return false;
+  });
 }
 
 TEST(Pocket, RefusesWhatIsNoPlace) {
-  EXPECT_EQ(refusal("resname NAG"), "around: selection \"resname NAG\" names no atom");
-  EXPECT_EQ(refusal("resid 5", "modes"), "around: goes with sampler pocket, not with modes");
+  EXPECT_ERROR(OptionError, "around: selection \"resname NAG\" names no atom",
+               SampleTask(subject_of(peptide()), asked_around("resname NAG")));
+  EXPECT_ERROR(OptionError, "around: goes with sampler pocket, not with modes",
+               SampleTask(subject_of(peptide()), asked_around("resid 5", "modes")));
 }
 
 TEST(Pocket, RotamersOfEachTorsionAddUp) {

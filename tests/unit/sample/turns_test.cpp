@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "pliant/sample/turns/pieces.hpp"
 #include "pliant/sample/turns/turn_course.hpp"
 #include "pliant/sample/turns/turn_draws.hpp"
+#include "support/test.hpp"
 #include "unit/sample/two_lobes.hpp"
 
 namespace pliant::turns_test {

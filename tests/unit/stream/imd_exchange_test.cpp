@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/stream/imd_exchange.hpp"
 
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <cmath>
-#include <limits>
-
 #include "imd_client.hpp"
 #include "pliant/stream/imd_commands.hpp"
 #include "pliant/stream/imd_packets.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::imd_exchange_test {
 
-using test::bytes_of;
-using test::operator+;
-using test::packet;
+using namespace test;
 
 /// Without sockets, in one thread: where the run would have to wait, it counts that and goes on.
 class ImdExchanges : public testing::Test {
@@ -173,19 +165,17 @@ TEST(ImdCommands, ThatAreNoneAreRefused) {
   EXPECT_EQ(refusal(packet(ImdType::wait, 1), 2), no_command(16, 2));
 }
 
-TEST(ImdCommands, OfImpossibleForcesAreRefusedBeforeTheyHaveCome) {
-  EXPECT_EQ(refusal(packet(ImdType::forces, -1)), "forces on -1 atoms of 5");
-  EXPECT_EQ(refusal(packet(ImdType::forces, 6)), "forces on 6 atoms of 5");
-  EXPECT_EQ(refusal(packet(ImdType::forces, std::numeric_limits<std::int32_t>::max())),
-            "forces on 2147483647 atoms of 5");
-}
-
-TEST(ImdCommands, OfWrongForcesAreRefused) {
-  EXPECT_EQ(refusal(test::forces(1, {5}, {0, 0, 0})), "force on atom 5 of 5");
-  EXPECT_EQ(refusal(test::forces(1, {-1}, {0, 0, 0})), "force on atom -1 of 5");
-  EXPECT_EQ(refusal(test::forces(2, {1, 1}, {0, 0, 0, 0, 0, 0})), "two forces on atom 1");
-  EXPECT_EQ(refusal(test::forces(1, {2}, {0, NAN, 0})), "force on atom 2 is not finite");
-  EXPECT_EQ(refusal(test::forces(1, {2}, {0, 0, -INFINITY})), "force on atom 2 is not finite");
+TEST(ImdCommands, OfWrongForcesAreRefusedThoseOfImpossibleNumbersBeforeTheyHaveCome) {
+  const std::pair<const char*, Bytes> cases[] = {
+      {"forces on -1 atoms of 5", packet(ImdType::forces, -1)},
+      {"forces on 6 atoms of 5", packet(ImdType::forces, 6)},
+      {"forces on 2147483647 atoms of 5", packet(ImdType::forces, 2147483647)},
+      {"force on atom 5 of 5", test::forces(1, {5}, {0, 0, 0})},
+      {"force on atom -1 of 5", test::forces(1, {-1}, {0, 0, 0})},
+      {"two forces on atom 1", test::forces(2, {1, 1}, {0, 0, 0, 0, 0, 0})},
+      {"force on atom 2 is not finite", test::forces(1, {2}, {0, NAN, 0})},
+      {"force on atom 2 is not finite", test::forces(1, {2}, {0, 0, -INFINITY})}};
+  for (const auto& [text, bytes] : cases) EXPECT_EQ(refusal(bytes), text);
 }
 
 TEST(ImdCommands, HalfOfOneIsNone) {

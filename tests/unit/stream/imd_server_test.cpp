@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/stream/imd_server.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstring>
+#include <mutex>
+#include <thread>
 
 #include "imd_servers.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::imd_server_test {
 
-using test::operator+;
-using test::packet;
+using namespace test;
+using Milliseconds = std::chrono::milliseconds;
 
-using test::ImdServers;
-using test::on_any_port;
-using test::step_of;
+constexpr std::int64_t for_ever = 1'000'000'000;
+constexpr std::size_t forces_acting = 7;  ///< place among the energies
 
 TEST_F(ImdServers, ShowEachStepToWhomTheyWaitFor) {
   ImdOptions options = on_any_port();
@@ -27,7 +25,7 @@ TEST_F(ImdServers, ShowEachStepToWhomTheyWaitFor) {
   });
   const Socket client = follow();
   for (std::int64_t step = 0; step <= 300; ++step) {
-    const Bytes frame = test::receive(client, size_of_frame());
+    const Bytes frame = next_frame(client);
     ASSERT_EQ(frame.size(), size_of_frame());
     ASSERT_EQ(step_of(frame), step);
   }
@@ -35,18 +33,15 @@ TEST_F(ImdServers, ShowEachStepToWhomTheyWaitFor) {
 }
 
 TEST_F(ImdServers, ServeOneClientAfterAnother) {
-  ImdOptions options = on_any_port();
-  options.wait = true;
-  options.patience.finish = std::chrono::milliseconds(20);
-  serve(options);
-  std::jthread walker([this] { run(1'000'000'000); });
+  serve(ended_by_clients(true));
+  std::jthread walker([this] { run(for_ever); });
   std::int64_t last = -1;
   // Closing a socket with frames in it that nobody read resets the connection, and the packet is
   // lost that was sent last: the client that ends the run stays until it has ended.
   Socket ender;
   for (int k = 0; k < 3; ++k) {
     Socket client = follow();
-    const std::int64_t step = step_of(test::receive(client, size_of_frame()));
+    const std::int64_t step = step_of(next_frame(client));
     EXPECT_GT(step, last);
     last = step;
     if (k < 2) continue;
@@ -59,15 +54,13 @@ TEST_F(ImdServers, ServeOneClientAfterAnother) {
 }
 
 TEST_F(ImdServers, WaitForNobodyWhoNeverSaysGo) {
-  ImdOptions options = on_any_port();
-  options.wait = true;
+  ImdOptions options = ended_by_clients(true);
   options.patience.go = std::chrono::hours(1);
-  options.patience.finish = std::chrono::milliseconds(20);
   serve(options);
-  std::jthread walker([this] { run(1'000'000'000); });
+  std::jthread walker([this] { run(for_ever); });
   const Socket silent = greeted();
   const Socket client = follow();
-  EXPECT_EQ(step_of(test::receive(client, size_of_frame())), 0);
+  EXPECT_EQ(step_of(next_frame(client)), 0);
   test::send_all(client, packet(ImdType::kill));
   walker.join();
   EXPECT_EQ(server_->close().clients, 1);
@@ -75,9 +68,7 @@ TEST_F(ImdServers, WaitForNobodyWhoNeverSaysGo) {
 }
 
 TEST_F(ImdServers, NeverWaitForAClientThatDoesNotRead) {
-  ImdOptions options = on_any_port();
-  options.patience.finish = std::chrono::milliseconds(20);
-  serve(options);
+  serve(ended_by_clients());
   const Socket client = follow();
   while (server_->summary().clients == 0) std::this_thread::yield();
   // Far more than what the system keeps for a client: 160 bytes a frame.
@@ -90,10 +81,7 @@ TEST_F(ImdServers, NeverWaitForAClientThatDoesNotRead) {
 }
 
 TEST_F(ImdServers, GoOnWhateverAClientSends) {
-  std::vector<std::string> warnings;
-  ImdOptions options = on_any_port();
-  options.log.function = [&](Severity, std::string_view text) { warnings.emplace_back(text); };
-  serve(options);
+  serve(on_any_port());
   const std::vector<Bytes> hostile{
       packet(ImdType::forces, -1),      packet(ImdType::forces, 1 << 30),
       test::forces(1, {77}, {0, 0, 0}), test::bytes_of("474554202f20485454502f312e310d0a"),
@@ -108,36 +96,22 @@ TEST_F(ImdServers, GoOnWhateverAClientSends) {
   EXPECT_EQ(state_.step, 70);
   const ImdSummary served = server_->close();
   EXPECT_EQ(served.refused, 6);
-  ASSERT_EQ(warnings.size(), 6u);
-  EXPECT_NE(warnings[2].find(" dropped: force on atom 77 of 6"), std::string::npos) << warnings[2];
+  ASSERT_EQ(warnings_.size(), 6u);
+  EXPECT_THAT(warnings_[2], testing::HasSubstr(" dropped: force on atom 77 of 6"));
 }
 
 TEST_F(ImdServers, PullAtJoints) {
-  ImdOptions options = on_any_port();
-  options.wait = true;
-  options.patience.finish = std::chrono::milliseconds(20);
-  serve(options);
+  serve(ended_by_clients(true));
   std::vector<JointForce> acted;
-  std::jthread walker([&] {
-    RunOptions how;
-    how.perturb_options.force = 0.0;
-    how.steps = 1'000'000'000;
-    how.every = how.steps;
-    how.hands = {steering_};
-    how.onlooker = {[this](std::int64_t step) { return server_->wants(step); },
-                    [this](const Frame& frame) { server_->show(frame); }};
-    how.resolve.should_stop = [this] { return server_->was_killed(); };
-    how.on_push = [&](const Push& push) {
-      if (push.forces.size() > 1) acted = push.forces;
-    };
-    pliant::run(framework_, state_, how, {});
-  });
+  on_push_ = [&](const Push& push) {
+    if (push.forces.size() > 1) acted = push.forces;
+  };
+  std::jthread walker([this] { run(for_ever, true); });
   const Socket client = follow();
   test::send_all(client, test::forces(1, {2}, {0, 0, 1e6F}));
   float pulled = 0.0F;
   while (pulled == 0.0F) {
-    const Bytes frame = test::receive(client, size_of_frame());
-    std::memcpy(&pulled, &frame[32 + 8 + 4 + 4 * 7], sizeof pulled);
+    pulled = energy_of(next_frame(client), forces_acting);
   }
   test::receive(client, 20 * size_of_frame());  // so long it acts
   test::send_all(client, packet(ImdType::kill));
@@ -149,28 +123,142 @@ TEST_F(ImdServers, PullAtJoints) {
   EXPECT_EQ(server_->close().forces_taken, 1);
 }
 
-TEST(ImdServer, RefusesOptionsThatMakeNoSense) {
-  const auto refusal = [](auto change) {
-    ImdOptions options;
-    change(options);
-    return test::error_text<OptionError>(
-        [&] { ImdServer(3, options, std::make_shared<Steering>()); });
+TEST_F(ImdServers, ServeEightAtOnce) {
+  serve(ended_by_clients());
+  std::jthread walker([this] { run(for_ever); });
+  std::vector<Socket> clients;
+  for (int k = 0; k < 8; ++k) clients.push_back(follow());
+  // The first reads nothing, the second one frame; the third pulls.
+  const std::int64_t seen = step_of(next_frame(clients[1]));
+  test::send_all(clients[2], test::forces(1, {2}, {0, 0, 5}));
+  while (energy_of(next_frame(clients[2]), forces_acting) == 0.0F) continue;
+  for (std::size_t k = 3; k < 8; ++k) {
+    std::int64_t last = -1;
+    for (int count = 0; count < 50; ++count) {
+      const Bytes frame = next_frame(clients[k]);
+      EXPECT_GT(step_of(frame), last);
+      EXPECT_EQ(energy_of(frame, forces_acting), 0.0F) << "it does not pull";
+      last = step_of(frame);
+    }
+    EXPECT_GT(last, seen);
+  }
+  test::send_all(clients[7], packet(ImdType::kill));
+  walker.join();
+  const ImdSummary served = server_->close();
+  EXPECT_EQ(served.clients, 8);
+  EXPECT_EQ(served.refused, 0);
+  EXPECT_EQ(served.forces_taken, 1);
+}
+
+TEST_F(ImdServers, GiveTheSameBitsWhoeverLooks) {
+  serve(on_any_port());
+  run(2000);
+  const State alone = state_;
+  state_ = State{sketch_.positions};
+  std::vector<Socket> clients;
+  for (int k = 0; k < 8; ++k) clients.push_back(follow());
+  while (server_->summary().clients < 8) std::this_thread::yield();
+  run(2000);
+  for (std::size_t joint = 0; joint < alone.positions.size(); ++joint)
+    for (const auto member : {&Vec3::x, &Vec3::y, &Vec3::z})
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(state_.positions[joint].*member),
+                std::bit_cast<std::uint64_t>(alone.positions[joint].*member));
+  for (const Socket& client : clients) EXPECT_LE(step_of(next_frame(client)), 2000);
+  clients.clear();
+  EXPECT_EQ(server_->close().clients, 8);
+}
+
+TEST_F(ImdServers, DropWhoReadsNothingAndNobodyElse) {
+  ImdOptions options = ended_by_clients();
+  options.patience.reading = Milliseconds(50);
+  serve(options);
+  // For whom nothing waits, nothing can be late.
+  const Socket seldom = follow();
+  test::send_all(seldom, packet(ImdType::rate, for_ever));
+  const Socket dead = follow();
+  while (server_->summary().clients < 2) std::this_thread::yield();
+  std::jthread walker([this] { run(for_ever); });
+  while (server_->summary().refused == 0) std::this_thread::yield();
+  test::send_all(seldom, packet(ImdType::kill));
+  walker.join();
+  EXPECT_EQ(server_->close().refused, 1);
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_THAT(warnings_[0], testing::HasSubstr(" dropped: read nothing for 0.05 s"));
+}
+
+TEST_F(ImdServers, TurnAwayWhoIsOneTooMany) {
+  ImdOptions options = ended_by_clients();
+  options.most_clients = 2;
+  serve(options);
+  std::vector<Socket> clients;
+  for (int k = 0; k < 2; ++k) clients.push_back(follow());
+  EXPECT_TRUE(test::receive(test::connect_to(server_->port()), 1).empty()) << "closed at once";
+  clients.pop_back();
+  Bytes greeting;
+  while (greeting.empty()) {  // until it is noticed that one has gone
+    clients.back() = test::connect_to(server_->port());
+    greeting = test::receive(clients.back(), 8);
+  }
+  clients.clear();
+  server_->close();
+  ASSERT_FALSE(warnings_.empty());
+  EXPECT_THAT(warnings_[0],
+              testing::HasSubstr(" turned away: 2 are connected, and no more are served"));
+}
+
+/// Two hands on one joint, and one of them on another: what acts is the sum.
+TEST_F(ImdServers, AddUpThePullsOfAllAndForgetThoseOfWhoHasGone) {
+  serve(ended_by_clients(true));
+  std::mutex mutex;
+  std::vector<JointForce> acting;
+  on_push_ = [&](const Push& push) {
+    const std::lock_guard hold(mutex);
+    acting = push.forces;
   };
-  EXPECT_EQ(refusal([](ImdOptions& options) { options.port = 65536; }),
-            "imd port = 65536: must be from 0 to 65535");
-  EXPECT_EQ(refusal([](ImdOptions& options) { options.version = 4; }),
-            "imd version = 4: must be 2 or 3");
-  EXPECT_EQ(refusal([](ImdOptions& options) { options.most_clients = 0; }),
-            "imd most_clients = 0: must be from 1");
+  std::jthread walker([this] { run(for_ever, true); });
+  const Socket watcher = follow();
+  const auto wait_for = [&](const std::vector<JointForce>& expected) {
+    const auto is_there = [&] {
+      const std::lock_guard hold(mutex);
+      std::vector<JointForce> pulls = acting;
+      // The random push of the run, whose size is zero.
+      std::erase_if(pulls, [](const JointForce& pull) { return norm(pull.force) == 0.0; });
+      return pulls.size() == expected.size() &&
+             std::equal(pulls.begin(), pulls.end(), expected.begin(), [](auto& a, auto& b) {
+               return a.joint == b.joint && norm(a.force - b.force) == 0.0;
+             });
+    };
+    for (int k = 0; k < 100'000 && !is_there(); ++k) next_frame(watcher);
+    return is_there();
+  };
+  Socket one = follow();
+  test::send_all(one, test::forces(1, {2}, {1, 0, 0}) + packet(ImdType::rate, for_ever));
+  EXPECT_TRUE(wait_for({{2, {1, 0, 0}}}));
+  const Socket other = follow();
+  test::send_all(other,
+                 test::forces(2, {4, 2}, {0, 2, 0, 0, 0, 3}) + packet(ImdType::rate, for_ever));
+  EXPECT_TRUE(wait_for({{2, {1, 0, 3}}, {4, {0, 2, 0}}}));
+  one = Socket();
+  EXPECT_TRUE(wait_for({{4, {0, 2, 0}}, {2, {0, 0, 3}}}));
+  test::send_all(watcher, packet(ImdType::kill));
+  walker.join();
+}
+
+TEST(ImdServer, RefusesOptionsThatMakeNoSense) {
+  const std::pair<const char*, ImdOptions> cases[] = {
+      {"imd port = 65536: must be from 0 to 65535", {.port = 65536}},
+      {"imd version = 4: must be 2 or 3", {.version = 4}},
+      {"imd most_clients = 0: must be from 1", {.most_clients = 0}}};
+  for (const auto& [text, options] : cases)
+    EXPECT_ERROR(OptionError, text, ImdServer(3, options, std::make_shared<Steering>()));
 }
 
 TEST(ImdServer, SaysWhereItCannotListen) {
   const ImdServer first(3, on_any_port(), std::make_shared<Steering>());
-  ImdOptions taken;
-  taken.port = first.port();
-  EXPECT_EQ(test::error_text<FileError>([&] { ImdServer(3, taken, std::make_shared<Steering>()); }),
-            "IMD on 127.0.0.1:" + std::to_string(first.port()) +
-                ": cannot listen: Address already in use");
+  EXPECT_ERROR(FileError,
+               "IMD on 127.0.0.1:" + std::to_string(first.port()) +
+                   ": cannot listen: Address already in use",
+               ImdServer(3, {.port = first.port()}, std::make_shared<Steering>()));
 }
 
 TEST(ImdServer, KnowsWhoReachesIt) {

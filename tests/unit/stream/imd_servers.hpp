@@ -20,6 +20,15 @@ inline ImdOptions on_any_port() {
   return options;
 }
 
+/// No client that waits in vain for long.
+inline ImdOptions ended_by_clients(bool waits = false) {
+  ImdOptions options = on_any_port();
+  options.wait = waits;
+  options.patience.reading = std::chrono::hours(1);
+  options.patience.finish = std::chrono::milliseconds(20);
+  return options;
+}
+
 /// Of a frame of version 3.
 inline std::int64_t step_of(const Bytes& frame) {
   std::int64_t step = 0;
@@ -36,7 +45,10 @@ inline float energy_of(const Bytes& frame, std::size_t number) {
 
 class ImdServers : public testing::Test {
  protected:
-  void serve(const ImdOptions& options) {
+  void serve(ImdOptions options) {
+    options.log.function = [this](Severity, std::string_view text) {
+      warnings_.emplace_back(text);
+    };
     server_ = std::make_unique<ImdServer>(framework_.joint_count(), options, steering_);
   }
 
@@ -77,6 +89,7 @@ class ImdServers : public testing::Test {
   const Framework framework_ = framework_of(sketch_);
   State state_{sketch_.positions};
   std::function<void(const Push&)> on_push_;
+  std::vector<std::string> warnings_;
   std::shared_ptr<Steering> steering_ = std::make_shared<Steering>(0.2);
   std::unique_ptr<ImdServer> server_;
 };

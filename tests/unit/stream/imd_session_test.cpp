@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/stream/imd_session.hpp"
 
-#include <gtest/gtest.h>
-
 #include <sys/socket.h>
 
-#include <algorithm>
-#include <array>
 #include <thread>
 
 #include "imd_client.hpp"
-#include "support/error_text.hpp"
+#include "support/test.hpp"
 
 namespace pliant::imd_session_test {
 
-using test::bytes_of;
-using test::operator+;
-using test::packet;
+using namespace test;
 using Milliseconds = std::chrono::milliseconds;
 using Clock = ImdSession::Clock;
 
@@ -54,8 +48,10 @@ class ImdSessions : public testing::Test {
 
   void send(const Bytes& bytes) { test::send_all(client_, bytes); }
 
-  /// The greeting is out and GO has come.
-  void follow() {
+  /// A session that has begun, the greeting is out and GO has come.
+  template <class... How>
+  void follow(const How&... how) {
+    begin(how...);
     send(packet(ImdType::go));
     while (exchange_->summary().clients == 0) ASSERT_TRUE(step());
     EXPECT_EQ(test::receive(client_, greeting_.size()), greeting_);
@@ -88,11 +84,9 @@ TEST_F(ImdSessions, SendFramesAfterGo) {
 }
 
 TEST_F(ImdSessions, EndAtDisconnectAndWhenTheClientGoes) {
-  begin();
   follow();
   send(packet(ImdType::disconnect));
   EXPECT_FALSE(step());
-  begin();
   follow();
   client_ = Socket();
   EXPECT_FALSE(step());
@@ -101,7 +95,6 @@ TEST_F(ImdSessions, EndAtDisconnectAndWhenTheClientGoes) {
 }
 
 TEST_F(ImdSessions, HalfCloseAtTheEndAndSendWhatIsLeft) {
-  begin();
   follow();
   show(1, Bytes(10, std::byte{7}));
   send(packet(ImdType::pause));  // never read by a server that only closes: then RST
@@ -116,7 +109,6 @@ TEST_F(ImdSessions, HalfCloseAtTheEndAndSendWhatIsLeft) {
 }
 
 TEST_F(ImdSessions, PauseAndResumeAsVersion3Says) {
-  begin();
   follow();
   send(packet(ImdType::pause) + packet(ImdType::pause));
   ASSERT_TRUE(step());
@@ -133,8 +125,7 @@ TEST_F(ImdSessions, PauseAndResumeAsVersion3Says) {
 }
 
 TEST_F(ImdSessions, PauseTwiceIsResumeInVersion2) {
-  begin(2);
-  follow();
+  follow(2);
   send(packet(ImdType::pause));
   ASSERT_TRUE(step());
   std::thread run([&] { exchange_->wants(1); });
@@ -144,7 +135,6 @@ TEST_F(ImdSessions, PauseTwiceIsResumeInVersion2) {
 }
 
 TEST_F(ImdSessions, OfAClientThatGoesFreeTheRun) {
-  begin();
   follow();
   send(packet(ImdType::pause));
   ASSERT_TRUE(step());
@@ -156,7 +146,6 @@ TEST_F(ImdSessions, OfAClientThatGoesFreeTheRun) {
 }
 
 TEST_F(ImdSessions, SendAtTheRateThatIsAsked) {
-  begin();
   follow();
   send(packet(ImdType::rate, 10));
   ASSERT_TRUE(step());
@@ -168,18 +157,13 @@ TEST_F(ImdSessions, SendAtTheRateThatIsAsked) {
   EXPECT_TRUE(exchange_->wants(31)) << "below 1: as at first";
 }
 
-TEST_F(ImdSessions, KillOnlyIfAsked) {
-  begin();
+TEST_F(ImdSessions, KillOnlyIfAskedWhereClientsMay) {
   follow();
   EXPECT_FALSE(exchange_->was_killed());
   send(packet(ImdType::kill));
   ASSERT_TRUE(step());
   EXPECT_TRUE(exchange_->was_killed());
-}
-
-TEST_F(ImdSessions, KillOnlyWhereClientsMay) {
-  begin(3, {}, false);
-  follow();
+  follow(3, ImdPatience{}, false);
   send(packet(ImdType::kill));
   ASSERT_TRUE(step());
   EXPECT_FALSE(exchange_->was_killed());
@@ -192,7 +176,6 @@ TEST_F(ImdSessions, KillOnlyWhereClientsMay) {
 }
 
 TEST_F(ImdSessions, WaitForAClientFromThenOn) {
-  begin();
   follow();
   send(packet(ImdType::wait, 1) + packet(ImdType::disconnect));
   EXPECT_FALSE(step());
@@ -206,7 +189,6 @@ TEST_F(ImdSessions, WaitForAClientFromThenOn) {
 const Bytes large(std::size_t{1} << 22, std::byte{1});
 
 TEST_F(ImdSessions, GiveASlowClientTheNewestFrame) {
-  begin();
   follow();
   show(0, large);
   ASSERT_TRUE(step());
@@ -225,8 +207,7 @@ TEST_F(ImdSessions, GiveASlowClientTheNewestFrame) {
 TEST_F(ImdSessions, AreOverForAClientThatReadsNothing) {
   ImdPatience short_of_it;
   short_of_it.reading = Milliseconds(50);
-  begin(3, short_of_it);
-  follow();
+  follow(3, short_of_it);
   show(0, large);
   EXPECT_EQ(refusal({}), "read nothing for 0.05 s");
 }
@@ -235,8 +216,7 @@ TEST_F(ImdSessions, AreOverForAClientThatReadsNothing) {
 TEST_F(ImdSessions, AreNotOverForAClientThatReadsNothingWhileItHoldsTheRun) {
   ImdPatience short_of_it;
   short_of_it.reading = Milliseconds(50);
-  begin(3, short_of_it);
-  follow();
+  follow(3, short_of_it);
   show(0, large);
   send(packet(ImdType::pause));
   SocketEvents said = session_->events();
@@ -249,13 +229,10 @@ TEST_F(ImdSessions, AreNotOverForAClientThatReadsNothingWhileItHoldsTheRun) {
 }
 
 TEST_F(ImdSessions, PullUntilTheClientGoes) {
-  begin();
   follow();
   send(test::forces(2, {1, 4}, {1, 0, 0, 0, 2, 0}));
   ASSERT_TRUE(step());
-  FrameworkParts parts;
-  parts.joint_count = atoms;
-  const Framework framework(std::move(parts));
+  const Framework framework({.joint_count = atoms});
   State state{std::vector<Vec3>(atoms)};
   Push push;
   const PushCall call{framework, {}, 0.01, 0.0, state.previous};
@@ -274,10 +251,8 @@ TEST_F(ImdSessions, AreOverForWhatNoClientDoes) {
   begin();
   EXPECT_EQ(refusal(bytes_of("474554202f204854")),
             "packet of type 1195725856, which no client of IMD version 3 sends");
-  begin();
   follow();
   EXPECT_EQ(refusal(packet(ImdType::go)), "said GO twice");
-  begin();
   follow();
   EXPECT_EQ(refusal(packet(ImdType::forces, -5)), "forces on -5 atoms of 5");
 }
@@ -289,11 +264,9 @@ TEST_F(ImdSessions, AreOverForSilence) {
   EXPECT_EQ(refusal({}), "did not say GO in time");
   ImdPatience for_packets;
   for_packets.packet = Milliseconds(5);
-  begin(3, for_packets);
-  follow();
+  follow(3, for_packets);
   EXPECT_EQ(refusal(bytes_of("00000006")), "stopped in the middle of a packet");
-  begin(3, for_packets);
-  follow();
+  follow(3, for_packets);
   Bytes forces = test::forces(1, {1}, {1, 2, 3});
   forces.pop_back();
   EXPECT_EQ(refusal(forces), "stopped in the middle of a packet");

@@ -2,20 +2,15 @@
 #include "pliant/text/file_text.hpp"
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <ctime>
-#include <fstream>
-#include <string>
-#include <vector>
 
 #include "pliant/text/compression.hpp"
 #include "pliant/text/text_lines.hpp"
 #include "support/compressed.hpp"
-#include "support/error_text.hpp"
-#include "support/temp_directory.hpp"
+#include "support/test.hpp"
 
 namespace pliant::file_text_test {
 
@@ -44,21 +39,18 @@ TEST_F(FileText, ReadsAllBytes) {
 TEST_F(FileText, UndoesGzipByContent) {
   EXPECT_EQ(read_bytes(write("one.pdb", gzipped("ATOM"))), "ATOM");
   EXPECT_EQ(read_bytes(write("named.gz", "no gzip at all")), "no gzip at all");
-  const std::string large(3'000'000, 'x');
-  EXPECT_EQ(read_bytes(write("large.gz", gzipped(large))), large);
 }
 
 TEST_F(FileText, NamesTheSystemsReason) {
-  EXPECT_EQ(error_text<FileError>([&] { read_bytes(path("none")); }),
-            "cannot read " + path("none") + ": No such file or directory");
-  EXPECT_EQ(error_text<FileError>([&] { read_bytes(path("")); }),
-            "cannot read " + path("") + ": Is a directory");
+  EXPECT_ERROR(FileError, "cannot read " + path("none") + ": No such file or directory",
+               read_bytes(path("none")));
+  EXPECT_ERROR(FileError, "cannot read " + path("") + ": Is a directory", read_bytes(path("")));
 }
 
 TEST_F(FileText, RefusesDevicesThatNeverEnd) {
   for (const char* device : {"/dev/zero", "/dev/null", "/dev/urandom"})
-    EXPECT_EQ(error_text<FileError>([&] { read_bytes(device); }),
-              "cannot read " + std::string(device) + ": is a device, not a file");
+    EXPECT_ERROR(FileError, "cannot read " + std::string(device) + ": is a device, not a file",
+                 read_bytes(device));
 }
 
 TEST_F(FileText, ReadsPipes) {
@@ -74,27 +66,24 @@ TEST_F(FileText, ReadsPipes) {
 TEST_F(FileText, RefusesPipesThatNobodyWritesTo) {
   const std::string pipe = path("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(error_text<FileError>([&] { read_bytes(pipe); }),
-            "cannot read " + pipe + ": is a pipe that nobody writes to");
+  EXPECT_ERROR(FileError, "cannot read " + pipe + ": is a pipe that nobody writes to",
+               read_bytes(pipe));
 }
 
 TEST_F(FileText, RefusesFilesThatAreTooLargeBeforeReadingThem) {
   const std::string huge = write("huge", "");
   std::filesystem::resize_file(huge, usual_text + 1);  // a hole: takes no room on disk
-  EXPECT_EQ(error_text<TooLargeError>([&] { read_bytes(huge); }),
-            huge + ": is larger than 2000 MB, the most that is read");
-  EXPECT_EQ(error_text<TooLargeError>([&] { read_bytes(huge, 1000001); }),
-            huge + ": is larger than 1000001 bytes, the most that is read");
+  EXPECT_ERROR(TooLargeError, huge + ": is larger than 2000 MB, the most that is read",
+               read_bytes(huge));
+  EXPECT_ERROR(TooLargeError, huge + ": is larger than 1000001 bytes, the most that is read",
+               read_bytes(huge, 1000001));
 }
 
 TEST_F(FileText, RefusesWhatExpandsToTooMuch) {
-  const std::string bomb = write("bomb.gz", gzipped(std::string(std::size_t{65} << 20, ' ')));
-  EXPECT_EQ(read_bytes(bomb).size(), std::size_t{65} << 20);
-  EXPECT_EQ(read_bytes(bomb, std::size_t{65} << 20).size(), std::size_t{65} << 20);
-  EXPECT_EQ(error_text<TooLargeError>([&] { read_bytes(bomb, (std::size_t{65} << 20) - 1); }),
-            bomb + ": gzip: expands to more than 68157439 bytes, the most that is read");
-  EXPECT_EQ(error_text<TooLargeError>([&] { read_bytes(bomb, 1000000); }),
-            bomb + ": gzip: expands to more than 1 MB, the most that is read");
+  const std::string bomb = write("bomb.gz", gzipped(std::string(2000000, ' ')));
+  EXPECT_EQ(read_bytes(bomb, 2000000).size(), 2000000u);
+  EXPECT_ERROR(TooLargeError, bomb + ": gzip: expands to more than 1 MB, the most that is read",
+               read_bytes(bomb, 1000000));
 }
 
 TEST_F(FileText, NamesOtherCompressions) {
@@ -136,10 +125,8 @@ TEST(CheckText, NamesTheLineOfTheFirstBinaryByte) {
     EXPECT_TRUE(message.starts_with("x:2: holds the byte 0x")) << message;
   }
   text[7000] = '\x1b';
-  EXPECT_EQ(error_text<InputError>([&] {
-              check_text({"x", text});
-            }),
-            "x:2: holds the byte 0x1b: a binary file, not a molecule in text");
+  EXPECT_ERROR(InputError, "x:2: holds the byte 0x1b: a binary file, not a molecule in text",
+               check_text({"x", text}));
 }
 
 TEST(ByteOrderMark, IsTakenOff) {
@@ -220,10 +207,11 @@ TEST_P(EachCompression, TooMuchIsRefused) {
   const std::string bomb = packed(text);
   EXPECT_LT(bomb.size() * 300, text.size());
   EXPECT_TRUE(expanded(bomb, text.size()) == text);
-  EXPECT_EQ(error_text<TooLargeError>([&] { expanded(bomb, text.size() - 1); }),
-            begin() + "expands to more than 68157439 bytes, the most that is read");
-  EXPECT_EQ(error_text<TooLargeError>([&] { expanded(bomb, 1000000); }),
-            begin() + "expands to more than 1 MB, the most that is read");
+  EXPECT_ERROR(TooLargeError,
+               begin() + "expands to more than 68157439 bytes, the most that is read",
+               expanded(bomb, text.size() - 1));
+  EXPECT_ERROR(TooLargeError, begin() + "expands to more than 1 MB, the most that is read",
+               expanded(bomb, 1000000));
 }
 
 INSTANTIATE_TEST_SUITE_P(Compression, EachCompression,
@@ -254,9 +242,10 @@ TEST(Compression, AnXzFileThatNeedsMuchMemoryIsRefused) {
 TEST(Compression, OneThatTheBuildHasNoLibraryForIsNamed) {
   Compression row = *compression_of("\x1f\x8b");
   row.decoder = []() -> std::unique_ptr<Decoder> { return nullptr; };
-  EXPECT_EQ(error_text<InputError>([&] { expand(row, "\x1f\x8b", "x", usual_text); }),
-            "x: is compressed with gzip, which this build of Pliant does not read: it was made "
-            "without zlib");
+  EXPECT_ERROR(InputError,
+               "x: is compressed with gzip, which this build of Pliant does not read: it was made "
+               "without zlib",
+               expand(row, "\x1f\x8b", "x", usual_text));
 }
 
 TEST(Compression, SuffixesAreTakenOff) {
