@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Polygon
-from pliant.report.figures import style
 from rdkit import Chem
 from rdkit.Chem import AllChem
 
 import pliant
+from pliant.base import style
 
 MOLECULES = Path(__file__).parent / "molecules"
 ROOT = 0  # of aspirin: its methyl carbon

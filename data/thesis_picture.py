@@ -13,7 +13,8 @@ from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.settled import settle
 from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.sweep import run_sweep
-from pliant.report.figures import style
+
+from pliant.base import style
 
 SHOWN = ["random", "bfs_cycle", "bfs_reverse", "dfs_cycle", "dfs_reverse"]
 SHORT = {

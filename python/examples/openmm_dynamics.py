@@ -18,7 +18,7 @@ import sys
 
 import openmm
 from openmm import app, unit
-from pliant.report.compare.report import print_report
+from pliant.report.compare.sections import print_report
 
 import pliant
 

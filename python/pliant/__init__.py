@@ -68,11 +68,11 @@ from pliant.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from pliant.adapters.convert.write import convert
-    from pliant.checks.check_report import CheckReport
-    from pliant.checks.suite import check
     from pliant.jobs.conformers.results import Conformers
     from pliant.jobs.path.found import MolecularPath
     from pliant.measure.shapes.representatives import Representatives
+    from pliant.report.check.check_report import CheckReport
+    from pliant.report.check.suite import check
     from pliant.report.compare.comparison_report import ComparisonReport
     from pliant.report.compare.suite import compare
     from pliant.report.representatives import representatives
@@ -161,14 +161,14 @@ __getattr__ = late_names(
     __name__,
     {
         "AnalysisReport": "pliant.report.suite",
-        "CheckReport": "pliant.checks.check_report",
+        "CheckReport": "pliant.report.check.check_report",
         "ComparisonReport": "pliant.report.compare.comparison_report",
         "Conformers": "pliant.jobs.conformers.results",
         "MolecularPath": "pliant.jobs.path.found",
         "Representatives": "pliant.measure.shapes.representatives",
         "Study": "pliant.report.study.studied",
         "analyse": "pliant.report.suite",
-        "check": "pliant.checks.suite",
+        "check": "pliant.report.check.suite",
         "compare": "pliant.report.compare.suite",
         "convert": "pliant.adapters.convert.write",
         "representatives": "pliant.report.representatives",

@@ -144,7 +144,7 @@ def test_names_with_line_ends_and_quotes_are_quoted():
     assert console.printable_name(Path('say "hi"')) == '"say \\"hi\\""'
 
 
-@pytest.mark.parametrize("command", ["checks", "report", "report.compare"])
+@pytest.mark.parametrize("command", ["report.check", "report", "report.compare"])
 def test_errors_name_such_a_file_safely(command, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     name = "\x1b]0;owned\x07.h5md"

@@ -5,8 +5,8 @@ import csv
 from dataclasses import dataclass
 
 import pytest
+from pliant.base.csv_cells import write_csv
 from pliant.lab.results import write_csv as write_rows
-from pliant.report.tables import write_csv
 
 BAD = ["=1+1", "+cmd", "-x", "@SUM(A1)"]
 GOOD = ["", "CA", "A-1", "-1.5", "+2", "1=1"]

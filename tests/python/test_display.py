@@ -87,7 +87,7 @@ def test_reports(peptide, tmp_path):
     trajectory = tmp_path / "helix.h5md"
     pliant.sample(peptide, frames=12, output=trajectory)
     report = pliant.analyse(trajectory)
-    check(report, {"file": str(trajectory), "what it is": "An ensemble."})
+    check(report, {"file": str(trajectory), "frames": "12, of 327 atoms"})
     chosen = pliant.representatives(trajectory, 2)
     check(chosen, {"frames": ", ".join(map(str, chosen.frames))})
     path = pliant.path(peptide, peptide)

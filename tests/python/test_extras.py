@@ -163,7 +163,7 @@ def test_help_needs_none(command):
 
 def test_a_check_is_reported_without_rich_and_matplotlib(trajectory, tmp_path):
     words = [str(trajectory), "--json"]
-    code = f"from pliant.checks.command import main\nsys.exit(main({words!r}))"
+    code = f"from pliant.report.check.command import main\nsys.exit(main({words!r}))"
     ended = run_without(code, "MDAnalysis", "matplotlib", "rdkit", "rich", "scipy")
     assert ended.stderr == ""
     assert json.loads(ended.stdout)["passed"]

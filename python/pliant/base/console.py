@@ -319,7 +319,7 @@ class Table:
 
     title: str
     columns: Sequence[str]
-    rows: list[Sequence[str]] = field(default_factory=list)
+    rows: list[Any] = field(default_factory=list)  #: sequences of text
     text_columns: Sequence[int] = (0,)  #: columns that are left-aligned
 
     def print(self, to: TextIO | None = None) -> None:

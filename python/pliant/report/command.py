@@ -6,9 +6,8 @@ from __future__ import annotations
 import argparse
 import sys
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
 from pliant._core import OptionError
 from pliant.base.console import (
@@ -17,7 +16,6 @@ from pliant.base.console import (
     Parser,
     note,
     print_json,
-    printable_name,
     run_command,
     stages,
     whole_number,
@@ -139,7 +137,10 @@ def _add_output(add: Callable[..., object]) -> None:
 
 
 def _analyse_ensemble(options: argparse.Namespace) -> int:
-    from pliant.report.shards.report import print_report, report_ensemble
+    from pliant.report.build import Report, print_lines
+    from pliant.report.save import save
+    from pliant.report.shards.sections import SECTIONS
+    from pliant.shards.flexibility import flexibility
     from pliant.trajectory.shards.frames import folder_of
 
     usual = vars(_parser().parse_args([options.file]))
@@ -150,11 +151,14 @@ def _analyse_ensemble(options: argparse.Namespace) -> int:
     folder = folder_of(Path(options.file))
     output = Path(options.output or f"{folder.absolute().name}-report")
     with stages(options.quiet) as on_stage:
-        found = report_ensemble(folder, output, options.workers, options.dpi, on_stage)
+        report = Report(flexibility(folder, options.workers, on_stage), SECTIONS)
+        on_stage("figure")
+        saved = save(report, output, options.dpi)
     if options.json:
-        print_json(found)
+        outputs = saved.as_json(files="models")
+        print_json({"ensemble": str(folder), **report.values, "outputs": outputs})
     elif not options.quiet:
-        print_report(found)
+        print_lines([*report.lines(), *saved.lines()])
     return EXIT_OK
 
 
@@ -162,6 +166,7 @@ def _analyse(options: argparse.Namespace) -> int:
     if is_ensemble(options.file):
         return _analyse_ensemble(options)
     # Imported here, so that --help and errors of usage are immediate.
+    from pliant.report.build import print_lines
     from pliant.report.suite import analyse
 
     with warnings.catch_warnings(), stages(options.quiet) as on_stage:
@@ -183,40 +188,15 @@ def _analyse(options: argparse.Namespace) -> int:
             dpi=options.dpi,
             on_stage=on_stage,
         )
-    summary = report.as_json()
     if options.json:
-        print_json(summary)
+        print_json(report.as_json())
     elif not options.quiet:
         for text in report.analysis.cautions:
             note(text)
-        _print_summary(summary)
+        for name, why in report.analysis.skipped.items():
+            note(f"no {name}: {why}")
+        print_lines(report.facts())
     return EXIT_OK
-
-
-def _print_summary(summary: Mapping[str, Any]) -> None:
-    """What was found in eight lines; the rest is in the report and in --json."""
-    from pliant.report.pockets.pocket_texts import pocket_line
-
-    for name, why in summary["skipped"].items():
-        note(f"no {name}: {why}")
-    print(f"verdict         {summary['verdict_text']}")
-    print(f"frames          {summary['frames']}, of {summary['atoms_analysed']} atoms")
-    if "flexibility_mean" in summary:
-        error = 2 * summary["flexibility_error_mean"]
-        size = "; its size is an input" if "amplitude" in summary["verdicts"] else ""
-        mean = f"{summary['flexibility_mean']:.2f} ± {error:.1g} Å (mean RMSF{size})"
-        print(f"flexibility     {mean}")
-    for name in ("domains", "other shapes"):
-        if name in summary["verdicts"]:
-            print(f"{name:<16}{summary['verdicts'][name]['text']}")
-    if "pockets" in summary:
-        print(f"pockets         {pocket_line(summary['pockets'])}")
-    for one in summary.get("distances", ()):
-        ends = f"{one['from']} to {one['to']}"
-        print(f"distance        {one['smallest']:.1f} to {one['largest']:.1f} Å: {ends}")
-    if "representatives" in summary["outputs"]:
-        print(f"represent all   {printable_name(summary['outputs']['representatives'])}")
-    print(f"report          {printable_name(summary['outputs']['report'])}")
 
 
 if __name__ == "__main__":

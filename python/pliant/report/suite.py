@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -13,19 +13,17 @@ from typing import Any
 import MDAnalysis  # noqa: F401  (before pliant.measure, which says that it lacks MDAnalysis itself)
 
 from pliant.base.checked import NOT_ZERO, PAIRS_OF_TEXTS, checked, whole
-from pliant.base.console import MOST_PROCESSES
+from pliant.base.console import MOST_PROCESSES, printable_name
 from pliant.base.display import Displayed, Facts
 from pliant.base.progress import Stages
 from pliant.base.verdict import Verdict, verdict_of_all
 from pliant.measure.shapes.representatives import medoids
 from pliant.measure.stages.analysis import Analysis, AnalysisOptions
-from pliant.measure.stages.stages import STAGES, analyse_trajectory
 from pliant.report.multi_model import write_chosen
-from pliant.report.page.additions import Additions
+from pliant.report.page.additions import NOTHING, Additions
 from pliant.report.representatives import REMARK
-from pliant.report.summary import summary
-from pliant.report.verdicts import verdicts
-from pliant.report.write import check_folder, write_report
+from pliant.report.sections.table import STAGES, analyse_trajectory
+from pliant.report.write import check_folder, report_of, write_report
 from pliant.trajectory.files import file_of
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import HasFrames
@@ -45,8 +43,8 @@ class AnalysisReport(Displayed):
     #: where frames from memory are, as long as they may be read
     folder: tempfile.TemporaryDirectory[str] | None = field(default=None, repr=False)
 
-    #: what other commands found of these frames, such as whether MD can be started from them
-    more_verdicts: Mapping[str, Verdict] = field(default_factory=dict)
+    #: what a report of these frames has besides, such as whether MD can be started from them
+    more: Additions = NOTHING
 
     @property
     def verdict(self) -> Verdict:
@@ -56,19 +54,44 @@ class AnalysisReport(Displayed):
     @property
     def verdicts(self) -> dict[str, Verdict]:
         """The answer to each question: its name in the JSON -> the answer."""
-        return {**verdicts(self.analysis), **self.more_verdicts}
+        return report_of(self.analysis, self.more).verdicts
 
     def facts(self) -> Facts:
-        """The verdict, and the answers that it is made from."""
-        frames = f"{len(self.analysis.frames)}, of {len(self.analysis.atoms)} atoms"
-        made = [(what, one.sentence) for what, one in self.verdicts.items()]
-        files = [("page", str(self.outputs["report"]))] if "report" in self.outputs else []
-        head = [("verdict", self.verdict.sentence), ("file", self.analysis.options.path)]
-        return [*head, ("frames", frames), *made, *files]
+        """The verdict, and what was found in some lines; the rest is in the report and the JSON."""
+        analysis, report = self.analysis, report_of(self.analysis, self.more)
+        frames = f"{len(analysis.frames)}, of {len(analysis.atoms)} atoms"
+        head = [("verdict", self.verdict.sentence), ("file", printable_name(analysis.options.path))]
+        files = {"represent all": "representatives", "report": "report"}
+        made = [
+            (what, printable_name(self.outputs[name]))
+            for what, name in files.items()
+            if name in self.outputs
+        ]
+        return [*head, ("frames", frames), *report.labelled(), *made]
 
     def as_json(self) -> dict[str, Any]:
         """What it comes down to, as one JSON object."""
-        return summary(self.analysis, self.outputs, self.verdicts)
+        analysis, report = self.analysis, report_of(self.analysis, self.more)
+        made, judged = report.verdicts, self.verdict
+        return {
+            "verdict": judged.kind,
+            "verdict_text": judged.sentence,
+            "input": analysis.options.path,
+            "atoms": len(analysis.universe.atoms),
+            "atoms_analysed": len(analysis.atoms),
+            "superposed_on": analysis.fitted_name,
+            "frames": len(analysis.frames),
+            "first_frame": int(analysis.frames[0]),
+            "last_frame": int(analysis.frames[-1]),
+            "frames_are": analysis.kind,
+            "judgement": judged.kind,
+            "judgement_text": judged.sentence,
+            "verdicts": {name: {"kind": v.kind, "text": v.sentence} for name, v in made.items()},
+            **report.values,
+            "skipped": dict(analysis.skipped),
+            "notes": analysis.notes,
+            "outputs": self.outputs,
+        }
 
 
 @checked(
@@ -180,13 +203,14 @@ def _analysed(
     analysis = analyse_trajectory(options, on_stage)
     if output is None:
         return AnalysisReport(analysis, folder=folder)
-    chosen = None if representatives is None else medoids(analysis, representatives)[1]
+    more, models = NOTHING, Path(output) / "representatives.pdb"
+    if representatives is not None:
+        chosen = medoids(analysis, representatives)[1]
+        models.parent.mkdir(parents=True, exist_ok=True)
+        write_chosen(analysis, chosen, models, REMARK)
+        more = Additions(files=[models], models=[models])
     on_stage("figures and page")
-    if chosen is None:
-        return AnalysisReport(analysis, write_report(analysis, Path(output), dpi), folder)
-    models = Path(output) / "representatives.pdb"
-    models.parent.mkdir(parents=True, exist_ok=True)
-    write_chosen(analysis, chosen, models, REMARK)
-    more = Additions(files=[models], models=[models])
     outputs = write_report(analysis, Path(output), dpi, more)
-    return AnalysisReport(analysis, {**outputs, "representatives": str(models)}, folder)
+    if more.models:
+        outputs["representatives"] = str(models)
+    return AnalysisReport(analysis, outputs, folder)

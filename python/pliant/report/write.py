@@ -3,18 +3,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from importlib import metadata
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from pliant._core import InputError
-from pliant.report.exports import save_exports
-from pliant.report.figures.draw_in_parallel import Drawing
+from pliant._core import InputError, techniques
+from pliant.base.new_file import write_text
+from pliant.measure.stages.analysis import Analysis
+from pliant.report.build import Report
 from pliant.report.page.additions import NOTHING, Additions
-from pliant.report.page.page import write_page
-from pliant.report.tables import save_tables
+from pliant.report.page.html import table
+from pliant.report.page.page import Page, lead, links, methods, sections_of
+from pliant.report.page.scene import scene
+from pliant.report.save import Saved, save
+from pliant.report.sections.bars import Residuals
+from pliant.report.sections.exports import ensemble_files
+from pliant.report.sections.headings import HEADINGS, WIDE
+from pliant.report.sections.table import SECTIONS
+from pliant.trajectory.kind import ENSEMBLE
 
-if TYPE_CHECKING:
-    from pliant.measure.stages.analysis import Analysis
+MOST_FACTS = 7  #: beside the molecule
 
 
 def check_folder(folder: Path) -> None:
@@ -23,25 +32,80 @@ def check_folder(folder: Path) -> None:
         raise InputError(f"{folder}: is a file, expected a folder for the results")
 
 
+def report_of(analysis: Analysis, more: Additions = NOTHING) -> Report[Analysis]:
+    """The sections of an analysis, and those that are added."""
+    files = ensemble_files([path.stem for path in more.models])
+    return Report(analysis, [*SECTIONS, files, *more.sections])
+
+
 def write_report(
     analysis: Analysis, folder: Path, dpi: int = 150, more: Additions = NOTHING
 ) -> dict[str, Any]:
     """Writes figures, tables, files for other programs and report.html; returns the paths of all.
 
-    Files of an earlier report are replaced. `more` is what the page has besides the analysis.
+    Files of an earlier report are replaced. `more` is what the report has besides the analysis.
     """
     check_folder(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    with Drawing(analysis, folder, dpi) as drawing:
-        tables = save_tables(analysis, folder)
-        exports = save_exports(analysis, folder, more.models)
-        figures = drawing.finish()
-    report = folder / "report.html"
-    pictures = [path for _, path in figures]
-    write_page(analysis, figures, [*more.files, *exports, *tables, *pictures], report, dpi, more)
-    return {
-        "report": str(report),
-        "figures": [str(path) for path in pictures],
-        "tables": [str(path) for path in tables],
-        "exports": [str(path) for path in exports],
-    }
+    report = report_of(analysis, more)
+    saved = save(report, folder, dpi)
+    page = folder / "report.html"
+    write_text(page, _page(report, saved, more, dpi).text(), overwrite=True)
+    return {"report": str(page), **saved.as_json()}
+
+
+def _page(report: Report[Analysis], saved: Saved[Analysis], more: Additions, dpi: int) -> Page:
+    analysis = report.found
+    pictures = {picture.name: path for picture, path in saved.pictures}
+    files = [*more.files, *saved.files, *saved.tables, *pictures.values()]
+    return Page(
+        title=_title(analysis),
+        subtitle=_subtitle(analysis),
+        made_by=more.made_by,
+        lead=lead([*report.verdicts.values()], more.answers),
+        facts=report.facts(HEADINGS)[:MOST_FACTS],
+        sections=sections_of(report, pictures, HEADINGS, WIDE, dpi),
+        scene=scene(analysis),
+        notes=[*analysis.notes, *(f"No {what}: {why}." for what, why in analysis.skipped.items())],
+        details={
+            "Methods": methods(report.methods),
+            **_options(analysis),
+            "Files beside this page": links(files),
+        },
+        made_with=[f"MDAnalysis {metadata.version('MDAnalysis')}"],
+    )
+
+
+def _title(analysis: Analysis) -> str:
+    """Name of the molecule's file, or of the trajectory."""
+    if analysis.record and analysis.record.parameters.get("input/file"):
+        return Path(str(analysis.record.parameters["input/file"])).name
+    return Path(analysis.options.path).name
+
+
+def _subtitle(analysis: Analysis) -> list[str]:
+    parts = [f"{len(analysis.universe.atoms):,} atoms"]
+    if Residuals in analysis:
+        parts.append(f"{len(analysis[Residuals].measured.bars):,} bars")
+    parts.append(f"{len(analysis.frames):,} frames")
+    if analysis.steps is not None and analysis.kind != ENSEMBLE:
+        parts.append(f"steps {analysis.steps[0]:,} to {analysis.steps[-1]:,}")
+    run = analysis.record.parameters if analysis.record else {}
+    if "run/technique" in run:
+        parts.append(_technique(run))
+    return [*parts, Path(analysis.options.path).name]
+
+
+def _technique(run: Mapping[str, Any]) -> str:
+    """What a run was resolved with, from its parameters."""
+    used = run.get("run/technique_used", run["run/technique"])
+    weighted = any(row.name == used and row.has_weighting for row in techniques())
+    return f"{used}, weighting {run.get('run/weighting', '?')}" if weighted else used
+
+
+def _options(analysis: Analysis) -> dict[str, str]:
+    run = analysis.record.parameters if analysis.record else {}
+    rows = [
+        (name, f"{value:g}" if isinstance(value, float) else str(value))
+        for name, value in sorted(run.items())
+    ]
+    return {"Options of the run": table(("option", "value"), rows)} if rows else {}

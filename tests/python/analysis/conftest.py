@@ -7,7 +7,6 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from pliant.report.figures.figure_table import picture_path
 
 sys.path.insert(0, str(Path(__file__).parent))  # so that tests can import what lies beside them
 from turned_molecule import SYMBOLS, Molecule, rotated
@@ -34,10 +33,10 @@ DOT = bytes.fromhex(
 def no_drawing(monkeypatch):
     """Reports with dots for figures, for tests of all else: drawing takes longer than the rest."""
 
-    def save_dot(kind, analysis, folder, dpi=150):
-        picture_path(kind, folder).write_bytes(DOT)
+    def save_dot(picture, found, path, dpi):
+        path.write_bytes(DOT)
 
-    monkeypatch.setattr("pliant.report.figures.draw_in_parallel.save_figure", save_dot)
+    monkeypatch.setattr("pliant.report.figures.draw_in_parallel.save_picture", save_dot)
 
 
 @pytest.fixture

@@ -11,8 +11,8 @@ import h5py
 import numpy as np
 import pytest
 from pliant.base.console import plain
-from pliant.measure.stages.parts import Rmsd
 from pliant.report.command import main
+from pliant.report.sections.series import Rmsd
 
 import pliant
 

@@ -8,26 +8,31 @@ import threading
 
 import pytest
 from pliant.measure.stages.analysis import AnalysisOptions
-from pliant.measure.stages.stages import analyse_trajectory
+from pliant.report.build import Report
 from pliant.report.figures import draw_in_parallel
-from pliant.report.figures.figure_table import figures_of
+from pliant.report.sections.table import SECTIONS, analyse_trajectory
 
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
 
 
 @pytest.fixture
-def analysis(tmp_path, peptide, wander, write_run, monkeypatch):
-    monkeypatch.setattr(draw_in_parallel, "figures_of", lambda analysis: figures_of(analysis)[-2:])
+def analysis(tmp_path, peptide, wander, write_run):
     trajectory = wander(peptide, peptide.rotatable, 12, degrees=25.0)
     run = write_run(tmp_path / "run.h5md", peptide, trajectory)
     return analyse_trajectory(AnalysisOptions(os.fspath(run), None))
 
 
+def two_of(analysis, folder):
+    """Two figures being drawn."""
+    pictures = Report(analysis, SECTIONS).pictures[-2:]
+    return draw_in_parallel.Drawing(analysis, pictures, folder, 60)
+
+
 def drawn(analysis, folder):
     folder.mkdir()
-    with draw_in_parallel.Drawing(analysis, folder, 60) as drawing:
+    with two_of(analysis, folder) as drawing:
         figures = drawing.finish()
-    assert [path.stem for _, path in figures] == [kind.name for kind, _ in figures]
+    assert [path.stem for _, path in figures] == [picture.name for picture, _ in figures]
     return {path.name: path.read_bytes() for _, path in figures}
 
 
@@ -59,14 +64,14 @@ def test_what_a_process_that_dies_left_out_is_drawn(analysis, tmp_path, monkeypa
     alone = drawn(analysis, tmp_path / "one")
     monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: True)
     mine = os.getpid()
-    save = draw_in_parallel.save_figure
+    save = draw_in_parallel.save_picture
 
     def save_or_die(*what):
         if os.getpid() != mine:
             os.kill(os.getpid(), signal.SIGKILL)  # which no handler turns into pages of a trace
         save(*what)
 
-    monkeypatch.setattr(draw_in_parallel, "save_figure", save_or_die)
+    monkeypatch.setattr(draw_in_parallel, "save_picture", save_or_die)
     monkeypatch.setattr(
         draw_in_parallel.Drawing, "finish", finish_after_the_other(draw_in_parallel.Drawing.finish)
     )
@@ -76,10 +81,7 @@ def test_what_a_process_that_dies_left_out_is_drawn(analysis, tmp_path, monkeypa
 @on_linux
 def test_no_process_is_left_when_the_work_beside_fails(analysis, tmp_path, monkeypatch):
     monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: True)
-    with (
-        pytest.raises(RuntimeError, match="beside"),
-        draw_in_parallel.Drawing(analysis, tmp_path, 60) as drawing,
-    ):
+    with pytest.raises(RuntimeError, match="beside"), two_of(analysis, tmp_path) as drawing:
         child = drawing._child
         raise RuntimeError("beside")
     with pytest.raises(ChildProcessError):

@@ -17,14 +17,12 @@ import pytest
 from MDAnalysis.analysis import align, dihedrals, rms
 from MDAnalysis.lib.distances import calc_angles, capped_distance
 from pliant.measure.ramachandran import FAVOURED, OUTLIER, judged
-from pliant.measure.stages.parts import (
-    Components,
-    ContactFrequencies,
-    Correlations,
-    Shapes,
-    UnitFlexibility,
-)
-from pliant.report.exports import b_factors
+from pliant.report.sections.contacts import ContactFrequencies
+from pliant.report.sections.domains import Correlations
+from pliant.report.sections.exports import b_factors
+from pliant.report.sections.flexible import UnitFlexibility
+from pliant.report.sections.motions import Components
+from pliant.report.sections.stereochemistry import Shapes
 
 pytestmark = pytest.mark.usefixtures("no_drawing")
 

@@ -250,8 +250,8 @@ def test_positions_in_the_page_are_those_of_the_file(report, peptide):
 
 def test_large_trajectories_are_thinned_and_the_page_says_so(report):
     from pliant.measure.stages.analysis import AnalysisOptions
-    from pliant.measure.stages.stages import analyse_trajectory
     from pliant.report.page.scene import scene
+    from pliant.report.sections.table import analyse_trajectory
 
     analysis = analyse_trajectory(AnalysisOptions(str(report.parent.parent / "run.h5md")))
     small = scene(analysis, max_atoms=10, max_bytes=1000)

@@ -17,10 +17,9 @@ from pliant.measure.shapes.shapes import LEAST_RMSD, MOST_SHAPES, find_shapes
 from pliant.measure.stages.analysis import AnalysisOptions
 from pliant.measure.stages.opened import opened
 from pliant.measure.stages.reference import reference_of
-from pliant.measure.stages.runner import Runner
 from pliant.report.command import main
 from pliant.report.representatives import representatives
-from pliant.report.shapes.shape_texts import shapes_json
+from pliant.report.sections.other_shapes import OTHER_SHAPES
 from pliant.trajectory.frame_store import FrameStore
 from turned_molecule import Molecule, rotated
 
@@ -266,9 +265,9 @@ def test_contacts_and_pockets_of_a_protein(tmp_path):
     pliant.sample(molecule, 60, sampler="reach", near_frames=20, seed=1, output=path)
     analysis = opened(AnalysisOptions(str(path)))
     analysis = analysis.having(reference_of(analysis))
-    for part in other_shapes(analysis, Runner(analysis)):
+    for part in other_shapes(analysis):
         analysis = analysis.having(part)
-    shapes = shapes_json(analysis)["shapes"]
+    shapes = OTHER_SHAPES.values(analysis)["shapes"]
     assert len(shapes) >= 2
     with h5py.File(path) as file:
         states = file["connectivity/contact_states/value"][()]

@@ -6,7 +6,7 @@ import struct
 
 import pytest
 from made_trajectories import molecule_run
-from pliant.checks.command import main
+from pliant.report.check.command import main
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,6 @@
 import numpy as np
 import pytest
 from expected_warnings import read_without_elements
-from pliant.checks.command import main
 from pliant.checks.coverage import Coverage
 from pliant.checks.findings import CANNOT, FAILED, PASSED, SKIPPED
 from pliant.checks.force_field import jobs as force_field_jobs
@@ -13,6 +12,7 @@ from pliant.checks.force_field.minimise import QUICK, THOROUGH, Wanted, minimise
 from pliant.checks.force_field.minimised import ForceFieldReport, Minimised
 from pliant.checks.force_field.molecule import molecule_of
 from pliant.checks.force_field.verdicts import findings_of, md_verdict, reached
+from pliant.report.check.command import main
 
 import pliant
 

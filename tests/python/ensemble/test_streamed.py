@@ -18,7 +18,7 @@ from ensembles import PEPTIDE, call, frames_of, made, shards_of
 from MDAnalysis.analysis.align import rotation_matrix
 from pliant.measure.shapes.medoids import k_medoids
 from pliant.measure.stages.parts import Units
-from pliant.report.shards.draw import flexibility_figure
+from pliant.report.shards.sections import flexibility_figure
 from pliant.shards import over_shards
 from pliant.shards.flexibility import flexibility
 from pliant.shards.sums import Task, sums_of

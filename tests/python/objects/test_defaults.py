@@ -67,7 +67,7 @@ def test_all_cores_sample():
 COMMANDS = {
     "analyse": "pliant.report.command",
     "compare": "pliant.report.compare.command",
-    "check": "pliant.checks.command",
+    "check": "pliant.report.check.command",
     "convert": "pliant.adapters.convert.command",
     "path": "pliant.jobs.path.command",
 }

@@ -10,7 +10,7 @@ import shutil
 import h5py
 import numpy as np
 import pytest
-from pliant.checks.command import main as check
+from pliant.report.check.command import main as check
 from pliant.report.command import main as analyse
 from pliant.report.compare.command import main as compare
 from pliant.trajectory.record import read_record
@@ -160,7 +160,7 @@ def commands(path, good, tmp_path):
 
 def test_no_command_ends_in_a_traceback(damaged, good, tmp_path, capsys, monkeypatch):
     # What OpenMM says of these files is not asked for: reading them is the matter.
-    monkeypatch.setattr("pliant.checks.suite._ask_openmm", lambda *_: pytest.skip("readable"))
+    monkeypatch.setattr("pliant.report.check.suite._ask_openmm", lambda *_: pytest.skip("readable"))
     for main, arguments in commands(damaged, good, tmp_path):
         try:
             code = main([str(argument) for argument in arguments])

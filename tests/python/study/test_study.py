@@ -9,16 +9,17 @@ from types import SimpleNamespace
 
 import pytest
 from pliant.base.verdict import verdict_of_all
-from pliant.checks.check_report import CheckReport
 from pliant.checks.findings import Finding
 from pliant.checks.force_field import verdicts as verdicts_of_md
+from pliant.report.check.check_report import CheckReport
 
 import pliant
 
 pytest.importorskip("MDAnalysis")
-answers_of = pytest.importorskip("pliant.report.study.answers")
-verdicts = pytest.importorskip("pliant.report.verdicts").verdicts
-LABELS = answers_of.LABELS
+LABELS = pytest.importorskip("pliant.report.study.answers").LABELS
+additions = pytest.importorskip("pliant.report.study.sections").additions
+report_of = pytest.importorskip("pliant.report.write").report_of
+UnitFlexibility = pytest.importorskip("pliant.report.sections.flexible").UnitFlexibility
 main = pytest.importorskip("pliant.report.study.command").main
 
 MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
@@ -29,6 +30,10 @@ WATER = "HETATM 9001  O   HOH A 901      60.000  60.000  60.000  1.00  0.00     
 def answers(out):
     """{label: answer} of what the command prints."""
     return {line[:14].strip(): line[14:] for line in out.splitlines()}
+
+
+def verdicts(study):
+    return report_of(study.report.analysis, additions(study)).verdicts
 
 
 @pytest.fixture(scope="module")
@@ -68,7 +73,7 @@ def test_what_is_flexible_and_what_was_left_out_is_said(studied):
     ]
     assert said["left out"] == "1 water"
     assert said["molecule"].startswith("20 residues")
-    flexibility = studied.report.analysis[pliant.measure.stages.parts.UnitFlexibility].found
+    flexibility = studied.report.analysis[UnitFlexibility].found
     assert said["flexible"].split(",")[0].endswith(f" {flexibility.rmsf.max():.1f}")
     assert "an input: which parts move more than others is the result" in said["flexible"]
     assert said["MD starts"] == "not tested: --no-check"
@@ -117,7 +122,7 @@ def test_what_openmm_finds_is_part_of_the_verdict(studied, failed, kind, words, 
     recording = SimpleNamespace(frame_count=20)
     check = CheckReport(recording, None, None, findings, [], "", 0.0, force_field=force_field)
     found = replace(studied, check=check)
-    made = {**verdicts(studied.report.analysis), **answers_of.verdicts(found)}
+    made = verdicts(found)
     judged = verdict_of_all(
         one for one in made.values() if one.kind != "mixed" or "MD" in one.sentence
     )
@@ -130,14 +135,14 @@ def test_what_openmm_finds_is_part_of_the_verdict(studied, failed, kind, words, 
 def test_what_the_structure_lacks_is_in_the_verdict(studied):
     facts = {**studied.sampled.facts, "missing": ["1 chain break: A 5 to 9"], "warnings": ["so"]}
     found = replace(studied, sampled=replace(studied.sampled, facts=facts))
-    made = answers_of.verdicts(found)["input"]
+    made = verdicts(found)["input"]
     assert made.kind == "mixed"
     assert made.sentence == "The structure is incomplete: 1 chain break: A 5 to 9."
 
 
 def test_a_path_that_did_not_arrive_is_in_the_verdict(studied):
     path = SimpleNamespace(arrived=False, reached=2.1, frames=[SimpleNamespace(to_end=6.9)])
-    made = answers_of.verdicts(replace(studied, path=path, end="end.pdb"))["path"]
+    made = verdicts(replace(studied, path=path, end="end.pdb"))["path"]
     assert (made.kind, made.sentence) == (
         "mixed",
         "No path to end.pdb was found: 2.1 Å of 6.9 Å are left.",

@@ -25,8 +25,8 @@ SCRIPTS = Path(sys.executable).parent
 HEAVY = tuple(
     "MDAnalysis MDAnalysis.analysis.rms dask_jobqueue distributed h5py matplotlib.figure "
     "matplotlib.backends.backend_agg openmm.app rich.live scipy.spatial scipy.stats "
-    "pliant.report.suite pliant.checks.suite pliant.report.compare.suite pliant.shards.cluster "
-    "pliant.shards.flexibility".split()
+    "pliant.report.suite pliant.report.check.suite pliant.report.compare.suite "
+    "pliant.shards.cluster pliant.shards.flexibility".split()
 )
 
 #: what may differ from the environment of the tests, since no import looks at it

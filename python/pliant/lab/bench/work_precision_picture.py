@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant.base.plotting import (
+from pliant.base.style import (
     BLUE,
     DASHED,
     GREEN,

@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from pliant._core import InputError
-from pliant.base.plotting import PALETTE, figure, save
+from pliant.base.style import PALETTE, figure, save
 from pliant.lab.conformers.rows import Run, Table
 from pliant.lab.conformers.summary import Column, columns_of
 

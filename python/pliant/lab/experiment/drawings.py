@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from pliant.base import plotting
+from pliant.base import style
 from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.document import Figure
 from pliant.lab.experiment.settings import reverse_techniques
@@ -22,13 +22,13 @@ from pliant.lab.experiment.statistics import Evidence, Statistics, interval
 LAST_BIN = 20  #: histograms gather what is above
 # Distinct by hue for most, by lightness for all (Okabe and Ito 2008), and by hatching in print.
 LOOKS = (
-    (plotting.GREY, ""),
-    (plotting.BLUE, ""),
-    (plotting.SKY, "///"),
-    (plotting.VERMILION, ""),
-    (plotting.ORANGE, "///"),
+    (style.GREY, ""),
+    (style.BLUE, ""),
+    (style.SKY, "///"),
+    (style.VERMILION, ""),
+    (style.ORANGE, "///"),
 )
-SHADES = {0.5: plotting.BLUE, 0.75: plotting.ORANGE, 1.0: plotting.VERMILION}
+SHADES = {0.5: style.BLUE, 0.75: style.ORANGE, 1.0: style.VERMILION}
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def draw_bars(chart: BarChart, all_evidence: dict[str, Evidence], folder: Path) 
         return None
     reverse = bool(set(techniques) & reverse_techniques())
     yardsticks = ("sweeps", "passes") if reverse else ("sweeps",)
-    with plotting.figure(len(yardsticks), 3, panel=(3.1, 2.7)) as (figure, axes):
+    with style.figure(len(yardsticks), 3, panel=(3.1, 2.7)) as (figure, axes):
         for row, yardstick in zip(axes, yardsticks, strict=True):
             for axis, (what, words) in zip(row, _MEASURES, strict=True):
                 group_bars(axis, all_evidence[yardstick], chart.family, techniques, what)
@@ -96,7 +96,7 @@ def draw_bars(chart: BarChart, all_evidence: dict[str, Evidence], folder: Path) 
         handles, labels = axes[0][0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
         path = folder / f"figure-{chart.number}.png"
-        plotting.save(figure, path)
+        style.save(figure, path)
     return Figure(path, _bar_caption(chart, reverse))
 
 
@@ -157,7 +157,7 @@ def draw_histogram(chart: Histogram, evidence: Evidence, folder: Path) -> Figure
     found = {w: evidence.of(chart.family, chart.technique, w) for w in WEIGHTINGS}
     if all(statistics is None for statistics in found.values()):
         return None
-    with plotting.figure(1, 3, panel=(3.1, 2.5)) as (figure, axes):
+    with style.figure(1, 3, panel=(3.1, 2.5)) as (figure, axes):
         for axis in axes[0][1:]:
             axis.sharey(axes[0][0])
         for axis, (weighting, statistics) in zip(axes[0], found.items(), strict=True):
@@ -167,7 +167,7 @@ def draw_histogram(chart: Histogram, evidence: Evidence, folder: Path) -> Figure
                 _columns(axis, statistics, SHADES[weighting])
         axes[0][0].set_ylabel("share of pushes (%)")
         path = folder / f"figure-{chart.number}.png"
-        plotting.save(figure, path)
+        style.save(figure, path)
     return Figure(
         path,
         f"Figure {chart.number} of the thesis: sweeps of {chart.technique} on "

@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.image import AxesImage
 
-from pliant.base import plotting
+from pliant.base import style
 from pliant.lab.experiment.claims import CLAIMS, Claim
 from pliant.lab.experiment.document import Figure
 from pliant.lab.experiment.settings import Settings
@@ -71,7 +71,7 @@ def shares(
 def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path) -> Figure:
     """Tolerance across; what else was varied up; one row of panels a yardstick."""
     rows = claim.yardsticks
-    with plotting.figure(len(rows), 5, panel=(2.3, 2.5)) as (figure, axes):
+    with style.figure(len(rows), 5, panel=(2.3, 2.5)) as (figure, axes):
         for panels, yardstick in zip(axes, rows, strict=True):
             mine = [p for p in points if (p.claim, p.yardstick) == (claim.id, yardstick)]
             for axis, (label, values, texts, value_of) in zip(
@@ -84,7 +84,7 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
         bar = figure.colorbar(image, ax=axes, shrink=0.8, pad=0.01, ticks=(0, 0.5, 1))
         bar.set_label("share of its statements that hold")
         path = folder / f"claim-{claim.id}.png"
-        plotting.save(figure, path)
+        style.save(figure, path)
     return Figure(
         path, f"{claim.id}: {claim.text}. A dot: every statement holds; empty: no push broke a bar."
     )

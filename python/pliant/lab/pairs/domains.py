@@ -20,7 +20,7 @@ from pliant.lab.pool import each_done
 from pliant.lab.results import Cell, Results, print_table
 from pliant.lab.structures import protein_model, trace_of
 from pliant.measure.domains import Domains, find_domains
-from pliant.measure.stages.biology import MOST_DOMAIN_SITES
+from pliant.report.sections.domains import MOST_DOMAIN_SITES
 from pliant.trajectory.superposition import superpose_all
 
 

@@ -7,7 +7,7 @@ import os
 from typing import TYPE_CHECKING
 
 from pliant._core import InputError
-from pliant.base.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
+from pliant.base.style import BLUE, DASHED, GREY, VERMILION, figure, save
 from pliant.lab.pairs.coverage import Coverage, Nearest
 from pliant.lab.pairs.directions import COVERED
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._core import InputError
-from pliant.base.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
+from pliant.base.style import BLUE, DASHED, GREY, VERMILION, figure, save
 from pliant.lab.validity.rows import TUNED, Row, Validity
 
 if TYPE_CHECKING:

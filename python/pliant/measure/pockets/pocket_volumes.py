@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
 
     from pliant.measure.stages.analysis import Analysis
-    from pliant.measure.stages.runner import Runner
 
 #: frames whose pockets are measured, spread over all
 LOOKED_AT = 100
@@ -82,14 +81,6 @@ class PocketVolumes(Part):
 
     pockets: tuple[Pocket, ...]
     places: np.ndarray  #: (f,) of the frames looked at, among those analysed
-    of: int  #: frames analysed
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What a reader of the results should know."""
-        if len(self.places) == self.of:
-            return ()
-        return (f"pockets were measured in {len(self.places)} of the {self.of} frames",)
 
 
 class _Surroundings:
@@ -142,7 +133,7 @@ def ligands(atoms: AtomGroup) -> list[AtomGroup]:
     return sorted((one for one in found if len(one) >= LEAST_LIGAND), key=lambda one: -len(one))
 
 
-def pocket_volumes(analysis: Analysis, runner: Runner) -> Iterator[PocketVolumes]:
+def pocket_volumes(analysis: Analysis) -> Iterator[PocketVolumes]:
     """Volumes of pockets in frames spread over all; nothing without a chain of residues.
 
     ValueError says why there are none to be looked for.
@@ -166,7 +157,8 @@ def pocket_volumes(analysis: Analysis, runner: Runner) -> Iterator[PocketVolumes
         for k, (name, lining) in enumerate(lined.items())
     )
     if measured := tuple(pocket for pocket in pockets if not pocket.is_gap.all()):
-        yield PocketVolumes(measured, places, len(analysis.frames))
+        few = f"pockets were measured in {len(places)} of the {len(analysis.frames)} frames"
+        yield PocketVolumes(measured, places, notes=(few,) * (len(places) < len(analysis.frames)))
 
 
 def _pocket(

@@ -21,7 +21,6 @@ from pliant.trajectory.recorded_contacts import HELD
 
 if TYPE_CHECKING:
     from pliant.measure.stages.analysis import Analysis
-    from pliant.measure.stages.runner import Runner
 
 REMARK_OF_SHAPES = "one frame per shape; populations are not claimed"
 #: chains shorter than this in all have no shapes
@@ -57,24 +56,11 @@ class OtherShapes(Part):
     shapes: tuple[Shape, ...]  #: furthest from the start first
     #: (3,) quartiles of how far known pairs of like softness are apart, Angstrom; None: not known
     known: np.ndarray | None
-    no_pockets: str  #: why pockets were not looked for; "": they were
 
     @property
     def alone(self) -> int:
         """Frames beyond the limit that are like no other."""
         return 0 if self.groups is None else len(self.groups.alone)
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What a reader of the results should know."""
-        notes = []
-        if self.groups is not None:
-            far = int(np.count_nonzero(self.groups.rmsd > self.groups.limit))
-            if len(self.groups.compared) < far:
-                notes.append(f"shapes are of {len(self.groups.compared)} frames taken evenly")
-        if self.shapes and self.no_pockets:
-            notes.append(f"no pockets of shapes: {self.no_pockets}")
-        return tuple(notes)
 
 
 def shape_groups(analysis: Analysis) -> tuple[np.ndarray, ShapeGroups] | None:
@@ -97,14 +83,14 @@ def _has_shapes(analysis: Analysis) -> bool:
     return len(trace_of(analysis.atoms)) >= LEAST_SITES
 
 
-def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
+def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
     """Shapes, their turns, contacts and pockets; that there are none to look for, if so."""
     if not _has_shapes(analysis):
         return
     found = shape_groups(analysis)
     none = np.zeros(0, dtype=np.int64)
     if found is None:
-        yield OtherShapes(False, none, len(analysis.frames), None, none, (), None, "")
+        yield OtherShapes(False, none, len(analysis.frames), None, none, (), None)
         return
     trace, groups = found
     places = groups.representatives
@@ -131,8 +117,13 @@ def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
             )
         )
     near_count = int(np.count_nonzero(groups.rmsd <= groups.limit))
+    notes = []
+    if len(groups.compared) < len(groups.rmsd) - near_count:
+        notes.append(f"shapes are of {len(groups.compared)} frames taken evenly")
+    if shapes and pockets.why_not:
+        notes.append(f"no pockets of shapes: {pockets.why_not}")
     yield OtherShapes(
-        True, trace, near_count, groups, places, tuple(shapes), known, pockets.why_not
+        True, trace, near_count, groups, places, tuple(shapes), known, notes=tuple(notes)
     )
 
 

@@ -9,14 +9,17 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from pliant.measure.stages.parts import Part, ReferenceStructure, Residuals
+from pliant.measure.frames import HAS_BACKENDS
+from pliant.measure.stages.parts import Part
 from pliant.trajectory.drawn_by import around_start, is_near
 from pliant.trajectory.frame_store import AT_ONCE_BYTES, FrameStore
 from pliant.trajectory.kind import ENSEMBLE, kind_of
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
+    from MDAnalysis.analysis.base import Results
 
+    from pliant.measure.frames import FrameAnalysis
     from pliant.trajectory.record import RunRecord
     from pliant.trajectory.stored import StoredPositions
 
@@ -84,18 +87,30 @@ class Analysis:
 
     @property
     def cautions(self) -> list[str]:
-        """Those of the notes that change what is analysed: what was left out, or not found."""
-        reference, residuals = self.get(ReferenceStructure), self.get(Residuals)
-        more = [] if reference is None or reference.found else list(reference.notes)
-        if residuals is not None and residuals.measured.rounded_to:
-            unit = residuals.measured.rounded_to
-            more.append(f"bars are judged after rounding of coordinates to {unit:.1g} Angstrom")
-        return [*self.remarks, *more]
+        """What changes what is analysed: what was left out, or not found."""
+        return [*self.remarks, *(note for part in self.parts.values() for note in part.cautions)]
 
     @property
     def kind(self) -> str:
         """ENSEMBLE, PATH, TRANSITION or TRAJECTORY."""
         return kind_of(self.record)
+
+    @property
+    def first(self) -> int:
+        """Number of the first frame, as the universe counts now."""
+        return 0 if self.held is not None else int(self.frames[0])
+
+    def run(
+        self, measured: FrameAnalysis, stride: int = 1, *, around_start: bool = False
+    ) -> Results:
+        """Runs an analysis of MDAnalysis over all frames, every `stride`-th, or those around the
+        start alone, in as many processes as were asked for; returns its results."""
+        frames = np.arange(len(self.frames)) if self.held is not None else self.frames
+        near, workers = self.around_start, min(self.options.workers, len(frames))
+        several = {"backend": "multiprocessing", "n_workers": workers}
+        chosen = frames[near] if around_start and near is not None else frames[::stride]
+        measured.run(frames=chosen, **(several if workers > 1 and HAS_BACKENDS else {}))
+        return measured.results
 
     def positions(self, k: int) -> np.ndarray:
         """Positions (N, 3) of all atoms in the k-th frame analysed, Angstrom, float64."""

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from pliant.measure.stages.analysis import Analysis
 
 
+FIRST = "the first frame"
+
+
 def reference_of(analysis: Analysis) -> ReferenceStructure:
     """The file that the options name; else the PDB that `pliant run` and `sample` write beside
     their trajectory; else the first frame.
@@ -29,16 +32,16 @@ def reference_of(analysis: Analysis) -> ReferenceStructure:
     named = analysis.options.reference
     if named is not None:
         return ReferenceStructure(_same_atoms(analysis.universe, Path(named)), Path(named).name)
-    beside, note = start_beside(analysis.options.path), ""
-    if analysis.record is not None and beside.is_file():
-        try:
-            positions = _same_atoms(analysis.universe, beside)
-        except InputError as error:
-            note = f"not compared with the start structure: {error}"
-        else:
-            note = f"compared with {beside.name}, the structure beside the trajectory"
-            return ReferenceStructure(positions, beside.name, note)
-    return ReferenceStructure(analysis.positions(0), "the first frame", note, found=not note)
+    beside, first = start_beside(analysis.options.path), analysis.positions(0)
+    if analysis.record is None or not beside.is_file():
+        return ReferenceStructure(first, FIRST)
+    try:
+        positions = _same_atoms(analysis.universe, beside)
+    except InputError as error:
+        notes = (f"not compared with the start structure: {error}",)
+        return ReferenceStructure(first, FIRST, notes=notes, cautions=notes)
+    note = f"compared with {beside.name}, the structure beside the trajectory"
+    return ReferenceStructure(positions, beside.name, notes=(note,))
 
 
 def _same_atoms(universe: Universe, path: Path) -> np.ndarray:

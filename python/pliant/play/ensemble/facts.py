@@ -14,17 +14,16 @@ import numpy as np
 from pliant._core import Error, OptionError
 from pliant.measure.domains import LOOSE
 from pliant.measure.stages.analysis import AnalysisOptions
-from pliant.measure.stages.biology import flexibility_of_units
 from pliant.measure.stages.opened import opened
-from pliant.measure.stages.parts import RigidDomains, Units
+from pliant.measure.stages.parts import Units
 from pliant.measure.stages.reference import reference_of
-from pliant.measure.stages.runner import Runner
 from pliant.measure.stages.units import units_of
 from pliant.play.ensemble.many_frames import LEAST_FRAMES
 from pliant.play.ensemble.thinned import write_thinned
 from pliant.play.ensemble.turns import Turn, largest_turn
-from pliant.report.domains.domain_texts import stretches
 from pliant.report.representatives import representatives
+from pliant.report.sections import flexible
+from pliant.report.sections.domains import RigidDomains, named_stretches
 from pliant.trajectory.kind import ENSEMBLE, MEANING
 from pliant.trajectory.shards.frames import EnsembleFrames, folder_of
 from pliant.trajectory.shards.plan import is_ensemble
@@ -129,7 +128,7 @@ def _rows(title: str, about: str, frames: np.ndarray, words: list[str]) -> dict[
 def _domains(analysis: Analysis, chosen: np.ndarray) -> dict[str, Any]:
     """Domains and their turns; or why there are none to show."""
     try:
-        for part in flexibility_of_units(analysis, Runner(analysis)):
+        for part in flexible.measure(analysis):
             analysis = analysis.having(part)
     except (ValueError, Error) as error:
         return {"noDomains": str(error)}
@@ -141,7 +140,7 @@ def _domains(analysis: Analysis, chosen: np.ndarray) -> dict[str, Any]:
         return {"noDomains": f"no domains: {why}"}
     of_unit, units = analysis[RigidDomains].of_unit, analysis[Units]
     of_joint = _of_joints(analysis, of_unit)
-    names = [_name(analysis, of_unit == k) for k in range(found.count)]
+    names = [named_stretches(analysis, of_unit == k) for k in range(found.count)]
     sites = units.atoms[np.unique(units.unit, return_index=True)[1]]
     frames = _turned(analysis, chosen)
     positions = np.array([analysis.positions(k)[sites] for k in frames])
@@ -175,11 +174,6 @@ def _of_joints(analysis: Analysis, of_unit: np.ndarray) -> np.ndarray:
     of_residue = np.full(len(analysis.universe.residues), LOOSE)
     of_residue[owners] = of_unit
     return np.asarray(of_residue[analysis.universe.atoms.resindices])
-
-
-def _name(analysis: Analysis, some: np.ndarray) -> str:
-    """ "1 to 29, 60 to 121": residues as the report names them."""
-    return ", ".join(f"{first} to {last}" for first, last in stretches(analysis, some))
 
 
 def _turn_told(analysis: Analysis, domain: int, turn: Turn, frames: np.ndarray) -> dict[str, Any]:

@@ -75,7 +75,7 @@ def main(words: Sequence[str] | None = None) -> int:
 def _compare(arguments: argparse.Namespace) -> int:
     if arguments.path:
         return _compare_paths(arguments)
-    from pliant.report.compare.report import as_json, print_report
+    from pliant.report.compare.sections import as_json, print_report
     from pliant.report.compare.suite import FRAMES, compare
 
     report = compare(

@@ -115,7 +115,7 @@ def compare(
             recording.path, [os.fspath(path) for path in paths], residues, atoms, notes
         )
         if pictures is not None:
-            from pliant.report.compare.picture import draw
+            from pliant.report.compare.pictures import draw
 
             on_stage("pictures")
             report.pictures = draw(report, pathlib.Path(pictures))

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""The figures of a report: figure_table.py lists them."""
+"""What figures of reports share, and how they are drawn beside other work."""

@@ -7,19 +7,20 @@ import os
 import sys
 import threading
 import warnings
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Generic
 
-from pliant.report.figures.figure_table import FigureKind, figures_of, picture_path, save_figure
+from pliant.base.png import save_png
+from pliant.base.style import styled
+from pliant.report.section import Found, Picture
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from pliant.measure.stages.analysis import Analysis
 
-
-class Drawing:
-    """The figures of an analysis being drawn.
+class Drawing(Generic[Found]):
+    """The figures of a report being drawn.
 
     A forked process begins at once, and the caller may do other work meanwhile; finish() draws what
     is left and returns all. The figures that are still to be drawn stand in a pipe, a byte each,
@@ -28,21 +29,23 @@ class Drawing:
     systems than Linux, whose libraries do not all survive a fork.
     """
 
-    def __init__(self, analysis: Analysis, folder: Path, dpi: int) -> None:
-        self._analysis, self._folder, self._dpi = analysis, folder, dpi
-        self._kinds = figures_of(analysis)
+    def __init__(
+        self, found: Found, pictures: Sequence[Picture[Found]], folder: Path, dpi: int
+    ) -> None:
+        self._found, self._dpi = found, dpi
+        self._pictures = [(picture, folder / f"{picture.name}.png") for picture in pictures]
         self._left, write = os.pipe()
-        os.write(write, bytes(range(len(self._kinds))))
+        os.write(write, bytes(range(len(pictures))))
         os.close(write)
-        self._child = self._forked() if len(self._kinds) > 1 and _may_fork() else None
+        self._child = self._forked() if len(pictures) > 1 and _may_fork() else None
 
-    def finish(self) -> list[tuple[FigureKind, Path]]:
-        """Draws what is left, waits, and returns [(FigureKind, path)] in the order of the page."""
+    def finish(self) -> list[tuple[Picture[Found], Path]]:
+        """Draws what is left, waits, and returns [(picture, its PNG)]."""
         self._draw_all()
         if not self._child_succeeded():
-            for kind in self._kinds:  # here an error has its own text
-                self._draw(kind)
-        return [(kind, picture_path(kind, self._folder)) for kind in self._kinds]
+            for picture, path in self._pictures:  # here an error has its own text
+                save_picture(picture, self._found, path, self._dpi)
+        return self._pictures
 
     def __enter__(self) -> Self:
         return self
@@ -76,10 +79,14 @@ class Drawing:
 
     def _draw_all(self) -> None:
         while taken := os.read(self._left, 1):
-            self._draw(self._kinds[taken[0]])
+            picture, path = self._pictures[taken[0]]
+            save_picture(picture, self._found, path, self._dpi)
 
-    def _draw(self, kind: FigureKind) -> None:
-        save_figure(kind, self._analysis, self._folder, self._dpi)
+
+def save_picture(picture: Picture[Found], found: Found, path: Path, dpi: int) -> None:
+    """Draws a figure and writes its PNG."""
+    with styled():
+        save_png(picture.draw(found), path, dpi)
 
 
 def _may_fork() -> bool:

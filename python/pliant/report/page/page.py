@@ -1,21 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The report page: one HTML file with everything in it, which asks no network for anything."""
+"""A report page: one HTML file with everything in it, which asks no network for anything."""
 
 from __future__ import annotations
 
 import base64
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from html import escape
-from importlib import metadata
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from pliant._core import techniques
-from pliant.base.new_file import write_text
 from pliant.base.verdict import Verdict, verdict_of_all
-from pliant.measure.stages.parts import Residuals
-from pliant.report.figures.style import WIDE
-from pliant.report.page.additions import NOTHING, Additions
+from pliant.report.build import Report
 from pliant.report.page.html import (
     disclosure,
     fact,
@@ -26,99 +22,86 @@ from pliant.report.page.html import (
     text_of,
     version,
 )
-from pliant.report.page.methods import METHODS
-from pliant.report.page.page_tables import facts, tables, title
-from pliant.report.page.scene import scene
-from pliant.report.page.section_titles import SECTIONS, WIDE_SECTIONS
-from pliant.report.verdicts import verdicts
-from pliant.trajectory.kind import ENSEMBLE
+from pliant.report.section import Fact, Found
 
-if TYPE_CHECKING:
-    from pliant.measure.stages.analysis import Analysis
-    from pliant.report.figures.figure_table import FigureKind
-
-
+WIDTH = 6.4  #: inches of a figure that fills its place
 MARKS = {"good": "✓", "mixed": "!", "bad": "✕", "open": "–"}
 
 
-def write_page(
-    analysis: Analysis,
-    figures: Sequence[tuple[FigureKind, Path]],
-    files: Sequence[Path],
-    path: Path,
-    dpi: int,
-    more: Additions = NOTHING,
-) -> None:
-    """Writes the page. figures: [(FigureKind, PNG path)]; files: outputs to link to."""
-    text = page(analysis, figures, files, dpi, more)
-    write_text(path, text, overwrite=True)
+@dataclass(frozen=True)
+class Page:
+    """What a page shows; `lead`, `sections` and the contents of `details` are HTML."""
+
+    title: str
+    subtitle: Sequence[str]
+    made_by: str  #: the command
+    lead: str
+    facts: Sequence[Fact]
+    sections: str
+    scene: Mapping[str, Any]  #: of the 3-D view
+    notes: Sequence[str] = ()
+    details: Mapping[str, str] = field(default_factory=dict)  #: what opens when it is clicked
+    made_with: Sequence[str] = ()  #: beside Pliant
+
+    def text(self) -> str:
+        """The page as HTML."""
+        details = [disclosure(what, content) for what, content in self.details.items()]
+        return template("page.html").substitute(
+            generator=escape(f"pliant {version()}"),
+            title=escape(self.title),
+            subtitle=escape(" · ".join(self.subtitle)),
+            style=text_of("page.css"),
+            eyebrow=self.made_by,
+            lead=self.lead,
+            viewer=text_of("viewer.html"),
+            facts="\n".join(fact(one.number, one.unit, one.meaning) for one in self.facts),
+            notes=self._notes(),
+            sections=self.sections,
+            details="\n".join(details),
+            footer=escape(" · ".join([f"pliant {version()}", *self.made_with])),
+            scripts=scripts(self.scene),
+        )
+
+    def _notes(self) -> str:
+        notes = [*self.notes]
+        if self.scene["notes"]:
+            shown = " and ".join(self.scene["notes"])
+            notes.append(f"To keep the page small, the 3-D view shows {shown}.")
+        if not notes:
+            return ""
+        items = "".join(f"<li>{escape(sentence(note))}</li>" for note in notes)
+        return f'<h2>Please note</h2><section class="notes card"><ul>{items}</ul></section>'
 
 
-def page(
-    analysis: Analysis,
-    figures: Sequence[tuple[FigureKind, Path]],
-    files: Sequence[Path],
-    dpi: int,
-    more: Additions = NOTHING,
-) -> str:
-    """The page as text."""
-    shown = scene(analysis)
-    return template("page.html").substitute(
-        generator=escape(f"pliant {version()}"),
-        title=escape(title(analysis)),
-        subtitle=escape(_subtitle(analysis)),
-        style=text_of("page.css"),
-        eyebrow=more.made_by,
-        lead=_lead([*verdicts(analysis).values(), *more.verdicts.values()], more),
-        viewer=text_of("viewer.html"),
-        facts="\n".join(fact(*row) for row in facts(analysis)),
-        notes=_notes(analysis, shown),
-        sections=_sections(analysis, figures, dpi, more),
-        details=_details(analysis, files),
-        footer=escape(f"pliant {version()} · MDAnalysis {metadata.version('MDAnalysis')}"),
-        scripts=scripts(shown),
-    )
-
-
-def _subtitle(analysis: Analysis) -> str:
-    parts = [f"{len(analysis.universe.atoms):,} atoms"]
-    if Residuals in analysis:
-        parts.append(f"{len(analysis[Residuals].measured.bars):,} bars")
-    parts.append(f"{len(analysis.frames):,} frames")
-    if analysis.steps is not None and analysis.kind != ENSEMBLE:
-        parts.append(f"steps {analysis.steps[0]:,} to {analysis.steps[-1]:,}")
-    run = analysis.record.parameters if analysis.record else {}
-    if "run/technique" in run:
-        parts.append(_technique(run))
-    parts.append(Path(analysis.options.path).name)
-    return " · ".join(parts)
-
-
-def _technique(run: Mapping[str, Any]) -> str:
-    """What a run was resolved with, from its parameters."""
-    used = run.get("run/technique_used", run["run/technique"])
-    weighted = any(row.name == used and row.has_weighting for row in techniques())
-    return f"{used}, weighting {run.get('run/weighting', '?')}" if weighted else used
-
-
-def _lead(made: Sequence[Verdict], more: Additions) -> str:
+def lead(made: Sequence[Verdict], answers: Mapping[str, str]) -> str:
     """The verdict over all, the answers of a study, and one line a question."""
     judged = verdict_of_all(made)
+    failed = any(one.kind == "bad" for one in made)
+    lines = "\n".join(_verdict(one, failed) for one in made)
+    mark = f'<div class="mark" aria-hidden="true">{MARKS[judged.kind]}</div>'
     return (
-        f'<section class="verdict card {judged.kind}">\n'
-        f'<div class="mark" aria-hidden="true">{MARKS[judged.kind]}</div>\n'
-        f"<p><strong>{escape(judged.sentence)}</strong><span>{escape(judged.details)}</span></p>\n"
-        f'</section>\n{more.head()}<section class="verdicts card">\n{_verdicts(made)}\n</section>'
+        f"{headline(judged.sentence, judged.details, judged.kind, mark)}\n{_answers(answers)}"
+        f'<section class="verdicts card">\n{lines}\n</section>'
     )
 
 
-def _verdicts(made: Sequence[Verdict]) -> str:
-    """One line a question; none is green while another has failed."""
-    failed = any(one.kind == "bad" for one in made)
-    return "\n".join(_verdict(one, failed) for one in made)
+def headline(text: str, more: str, kind: str = "", mark: str = "") -> str:
+    """What follows from all, on a card of its own."""
+    said = f"<p><strong>{escape(text)}</strong><span>{escape(more)}</span></p>"
+    return f'<section class="verdict card {kind}">{mark}{said}</section>'
+
+
+def _answers(answers: Mapping[str, str]) -> str:
+    """A card; "" without any."""
+    rows = "".join(
+        f"<tr><td>{escape(what)}</td><td>{escape(text)}</td></tr>" for what, text in answers.items()
+    )
+    card = f'<section class="answers card"><table>{rows}</table></section>\n'
+    return card if answers else ""
 
 
 def _verdict(one: Verdict, failed: bool) -> str:
+    """One line a question; none is green while another has failed."""
     colour = "open" if failed and one.kind == "good" else one.kind
     return (
         f'<div class="one {colour}"><div class="mark" aria-hidden="true">{MARKS[one.kind]}</div>'
@@ -126,32 +109,42 @@ def _verdict(one: Verdict, failed: bool) -> str:
     )
 
 
-def _sections(
-    analysis: Analysis, figures: Sequence[tuple[FigureKind, Path]], dpi: int, more: Additions
+def sections_of(
+    report: Report[Found],
+    pictures: Mapping[str, Path],
+    headings: Sequence[str],
+    wide: Sequence[str],
+    dpi: int = 150,
 ) -> str:
-    """Each section that has anything: its heading, figures and tables."""
+    """Figures and tables under their headings; under `wide` ones each is as wide as the page."""
     parts = []
-    numbers = [*tables(analysis), *more.tables]
-    for section in SECTIONS:
-        drawn = [
-            _figure(analysis, kind, png, dpi) for kind, png in figures if kind.section == section
+    for heading in headings:
+        shown = [row for row in report.sections if row.heading == heading]
+        figures = [
+            _figure(picture.caption_of(report.found), pictures[picture.name], dpi)
+            for row in shown
+            for picture in row.pictures
+            if picture.name in pictures
         ]
-        listed = [
-            table(one.headers, one.rows, one.caption) for one in numbers if one.section == section
+        tables = [
+            table(one.columns, one.rows, one.title)
+            for row in shown
+            for one in row.tables(report.found)
+            if one.rows
         ]
-        if drawn or listed:
-            content = "\n".join(drawn + listed)
-            wide = " wide" if section in WIDE_SECTIONS else ""
-            parts.append(f'<h2>{section}</h2>\n<section class="figures{wide}">{content}</section>')
+        blocks = [block for row in shown for block in row.blocks(report.found)]
+        if content := "\n".join([*figures, *tables, *blocks]):
+            is_wide = " wide" * (heading in wide)
+            section = f'<section class="figures{is_wide}">{content}</section>'
+            parts.append(f"<h2>{heading}</h2>\n{section}")
     return "\n".join(parts)
 
 
-def _figure(analysis: Analysis, kind: FigureKind, png: Path, dpi: int) -> str:
-    caption = kind.caption(analysis)
-    content = Path(png).read_bytes()
+def _figure(caption: str, png: Path, dpi: int) -> str:
+    content = png.read_bytes()
     width, height = (int.from_bytes(content[k : k + 4], "big") for k in (16, 20))  # of the PNG
     tall = ' class="card tall"' if height > 0.9 * width else ' class="card"'
-    style = f"max-width:{min(100, 100 * width / dpi / WIDE[0]):.0f}%"
+    style = f"max-width:{min(100, 100 * width / dpi / WIDTH):.0f}%"
     data = base64.b64encode(content).decode("ascii")
     return (
         f'<figure{tall}><img alt="{escape(caption)}" style="{style}" '
@@ -160,29 +153,12 @@ def _figure(analysis: Analysis, kind: FigureKind, png: Path, dpi: int) -> str:
     )
 
 
-def _notes(analysis: Analysis, shown: Mapping[str, Any] | None) -> str:
-    notes = analysis.notes
-    notes += [f"No {name}: {why}." for name, why in analysis.skipped.items()]
-    if shown and shown["notes"]:
-        notes.append(f"To keep the page small, the 3-D view shows {' and '.join(shown['notes'])}.")
-    if not notes:
-        return ""
-    items = "".join(f"<li>{escape(sentence(note))}</li>" for note in notes)
-    return f'<h2>Please note</h2><section class="notes card"><ul>{items}</ul></section>'
+def methods(texts: Mapping[str, str]) -> str:
+    """A paragraph each."""
+    return "".join(f"<p><b>{escape(a)}.</b> {escape(b)}</p>" for a, b in texts.items())
 
 
-def _details(analysis: Analysis, files: Sequence[Path]) -> str:
-    parts = [
-        disclosure(
-            "Methods", "".join(f"<p><b>{escape(a)}.</b> {escape(b)}</p>" for a, b in METHODS)
-        )
-    ]
-    if analysis.record and analysis.record.parameters:
-        rows = [
-            (name, f"{value:g}" if isinstance(value, float) else str(value))
-            for name, value in sorted(analysis.record.parameters.items())
-        ]
-        parts.append(disclosure("Options of the run", table(("option", "value"), rows)))
-    links = "".join(f'<li><a href="{escape(f.name)}">{escape(f.name)}</a></li>' for f in files)
-    parts.append(disclosure("Files beside this page", f"<ul>{links}</ul>"))
-    return "\n".join(parts)
+def links(files: Sequence[Path]) -> str:
+    """To files beside the page."""
+    items = (f'<li><a href="{escape(one.name)}">{escape(one.name)}</a></li>' for one in files)
+    return f"<ul>{''.join(items)}</ul>"

@@ -15,18 +15,7 @@ from pliant.measure.frames import weights_of
 from pliant.measure.residuals import bar_residuals
 from pliant.measure.rotatable import is_hydrogen
 from pliant.measure.stages.names import chains_of, numbers_of
-from pliant.measure.stages.parts import (
-    Components,
-    Gyration,
-    ReferenceStructure,
-    Residuals,
-    RigidDomains,
-    Rmsd,
-    Sweeps,
-    UnitFlexibility,
-    Units,
-    UnitsInComponents,
-)
+from pliant.measure.stages.parts import ReferenceStructure, Units
 from pliant.measure.stages.units import trace_atoms
 from pliant.report.page.drawn import (
     MAX_ATOMS,
@@ -36,6 +25,12 @@ from pliant.report.page.drawn import (
     drawn_molecule,
     drawn_positions,
 )
+from pliant.report.sections.bars import Residuals
+from pliant.report.sections.domains import RigidDomains
+from pliant.report.sections.flexible import UnitFlexibility
+from pliant.report.sections.motions import Components
+from pliant.report.sections.series import Gyration, Rmsd
+from pliant.report.sections.sweeps import Sweeps
 from pliant.trajectory.superposition import Superposition
 
 if TYPE_CHECKING:
@@ -220,10 +215,11 @@ def _unit_columns(analysis: Analysis) -> dict[str, Any]:
     domains = analysis.get(RigidDomains)
     if domains and domains.found.count > 1:
         columns["domain"] = domains.of_unit.tolist()
-    if moved := analysis.get(UnitsInComponents):
-        found = analysis[Components].found
+    moving = analysis.get(Components)
+    if moving and moving.units is not None:
+        share = participation(moving.found.components[:1])[0]
         values = np.zeros(len(analysis[Units].labels))  # what is not in the PCA counts as still
-        values[moved.units] = np.sqrt(participation(found.components[:1])[0] * found.eigenvalues[0])
+        values[moving.units] = np.sqrt(share * moving.found.eigenvalues[0])
         columns["motion"] = np.round(values, 4).tolist()
     return columns
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The page of a molecule's rigidity: one HTML file with everything in it."""
+"""The page of a molecule's rigidity: its sections, and one HTML file with everything in it."""
 
 from __future__ import annotations
 
@@ -8,32 +8,28 @@ from collections import Counter
 from collections.abc import Iterator
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant._core import FileError
+from pliant._core import FileError, Rigidity, contact_kinds
 from pliant.base.new_file import write_text
-from pliant.report.page.html import (
-    disclosure,
-    fact,
-    scripts,
-    sentence,
-    table,
-    template,
-    text_of,
-    version,
-)
+from pliant.report.build import Report
+from pliant.report.page.html import disclosure, sentence, table
+from pliant.report.page.page import Page, headline, methods, sections_of
 from pliant.report.rigidity.rigidity_facts import COLOURS, RigidityFacts, facts_of
-from pliant.report.rigidity.rigidity_methods import METHODS, READING
 from pliant.report.rigidity.rigidity_profile import profile_svg
 from pliant.report.rigidity.rigidity_scene import LEAST_RESIDUES, rigidity_scene
-
-if TYPE_CHECKING:
-    from pliant._core import Rigidity
+from pliant.report.section import Fact, Section
 
 #: rows of the table of segments
 MOST_SEGMENTS = 200
+BARS = ", ".join(f"{kind.singular} {kind.bars}" for kind in contact_kinds())
+READING = (
+    "Believe what holds together over a range of cut-offs. A cluster is not necessarily stiff, and "
+    "a degree of freedom is not an amplitude."
+)
+#: what a count cannot see
+SIX = "counted as rigid. At fixed angles a chair is, but a boat moves through twist-boats."
 
 
 def write_rigidity_page(
@@ -54,35 +50,29 @@ def save_rigidity_page(
     target = Path(path)
     if target.exists() and not overwrite:
         raise FileError(f"{target}: exists; --overwrite replaces it")
-    write_text(target, rigidity_page(facts), overwrite=overwrite)
+    write_text(target, rigidity_page(facts).text(), overwrite=overwrite)
 
 
-def rigidity_page(facts: RigidityFacts) -> str:
-    """The page as text."""
-    shown = rigidity_scene(facts)
-    name = facts.file or "molecule"
-    return template("page.html").substitute(
-        generator=escape(f"pliant {version()}"),
-        title=escape(f"Rigidity of {name}"),
-        subtitle=escape(_subtitle(facts)),
-        style=text_of("page.css"),
-        eyebrow="pliant rigidity",
+def rigidity_page(facts: RigidityFacts) -> Page:
+    """The page that its sections make."""
+    report, headings = Report(facts, SECTIONS), [row.heading for row in SECTIONS]
+    return Page(
+        title=f"Rigidity of {facts.file or 'molecule'}",
+        subtitle=_subtitle(facts),
+        made_by="pliant rigidity",
         lead=_lead(facts),
-        viewer=text_of("viewer.html"),
-        facts="\n".join(fact(*row) for row in _numbers(facts)),
-        notes=_notes(shown["notes"]),
-        sections="\n".join(_sections(facts)),
-        details=_methods(),
-        footer=escape(f"pliant {version()}"),
-        scripts=scripts(shown),
+        facts=report.facts(headings),
+        sections=sections_of(report, {}, headings, wide=headings),
+        scene=rigidity_scene(facts),
+        details={"Methods": methods(report.methods)},
     )
 
 
-def _subtitle(facts: RigidityFacts) -> str:
+def _subtitle(facts: RigidityFacts) -> list[str]:
     parts = [f"{len(facts.names):,} atoms"]
     if len(facts.chains) > 1:
         parts.append(f"{len(facts.chains):,} residues")
-    return " · ".join([*parts, _counted_with(facts)])
+    return [*parts, _counted_with(facts)]
 
 
 def _counted_with(facts: RigidityFacts) -> str:
@@ -95,10 +85,6 @@ def _counted_with(facts: RigidityFacts) -> str:
 
 def _percent(part: int, whole: int) -> str:
     return f"{100 * part / max(whole, 1):.0f} %"
-
-
-#: what a count cannot see
-SIX = "counted as rigid. At fixed angles a chair is, but a boat moves through twist-boats."
 
 
 def _lead(facts: RigidityFacts) -> str:
@@ -117,48 +103,22 @@ def _lead(facts: RigidityFacts) -> str:
         more += f" {rings} ring{'' if rings == 1 else 's'} of six bonds that may turn: {SIX}"
     if len(facts.energies):
         more += f" One cut-off is one answer. {READING}"
-    return (
-        f'<section class="verdict card"><p><strong>{escape(sentence(text))}</strong>'
-        f"<span>{escape(more)}</span></p></section>"
-    )
+    return headline(sentence(text), more)
 
 
-def _numbers(facts: RigidityFacts) -> list[tuple[str, str, str]]:
-    counts = facts.counts
+def _facts(facts: RigidityFacts) -> Iterator[Fact]:
+    counts, atoms = facts.counts, len(facts.names)
     clustered = int(facts.sizes[: facts.clusters].sum())
+    coloured = f"rigid clusters of 3 atoms or more, {facts.named} with a colour"
     hinges = f"of {counts['bonds_that_may_turn']} bonds that can rotate are flexible"
-    return [
-        (f"{counts['degrees_of_freedom']:,}", "", "internal degrees of freedom"),
-        (
-            str(facts.clusters),
-            "",
-            f"rigid clusters of 3 atoms or more, {facts.named} with a colour",
-        ),
-        (_percent(clustered, len(facts.names)), "", "of the atoms are in them"),
-        (f"{counts['small_pieces']:,}", "", "small pieces of one or two atoms"),
-        (f"{counts['flexible_bonds']:,}", "", hinges),
-        (f"{counts['redundant']:,}", "", f"of {counts['bars']:,} constraints are redundant"),
-        (str(counts["parts"]), "", "parts that nothing links" if counts["parts"] > 1 else "part"),
-    ]
-
-
-def _notes(notes: list[str]) -> str:
-    if not notes:
-        return ""
-    text = f"To keep the page small, the 3-D view shows {' and '.join(notes)}."
-    return f'<h2>Please note</h2><section class="notes card"><p>{escape(text)}</p></section>'
-
-
-def _sections(facts: RigidityFacts) -> Iterator[str]:
-    yield "<h2>Rigid clusters</h2>" + _clusters(facts)
-    if len(facts.chains) >= LEAST_RESIDUES:
-        yield "<h2>Along the chain</h2>"
-        yield _picture(profile_svg(facts), PROFILE_CAPTION)
-        yield _segments(facts)
-    if facts.dilution_svg:
-        yield "<h2>As hydrogen bonds are removed</h2>" + _picture(
-            facts.dilution_svg, DILUTION_CAPTION
-        )
+    parts = "parts that nothing links" if counts["parts"] > 1 else "part"
+    yield Fact(f"{counts['degrees_of_freedom']:,}", "", "internal degrees of freedom")
+    yield Fact(str(facts.clusters), "", coloured)
+    yield Fact(_percent(clustered, atoms), "", "of the atoms are in them")
+    yield Fact(f"{counts['small_pieces']:,}", "", "small pieces of one or two atoms")
+    yield Fact(f"{counts['flexible_bonds']:,}", "", hinges)
+    yield Fact(f"{counts['redundant']:,}", "", f"of {counts['bars']:,} constraints are redundant")
+    yield Fact(str(counts["parts"]), "", parts)
 
 
 def _clusters(facts: RigidityFacts) -> str:
@@ -199,17 +159,6 @@ def _segments(facts: RigidityFacts) -> str:
     return f'<div style="margin-top:12px">{text}</div>'
 
 
-PROFILE_CAPTION = (
-    "Flexibility of each residue (mean of its N-CA and CA-C bonds: 1 rotates freely, 0 locked, "
-    "below 0 locked by more constraints than needed), and the cluster of its alpha carbon."
-)
-
-DILUTION_CAPTION = (
-    "Hydrogen bonds and salt bridges are removed one by one, weakest first; one line each "
-    "time that clusters change. What lasts longest is the core; it comes apart at hinges."
-)
-
-
 def _picture(svg: str, caption: str) -> str:
     """A picture that scrolls sideways where the screen is narrow."""
     return (
@@ -218,7 +167,61 @@ def _picture(svg: str, caption: str) -> str:
     )
 
 
-def _methods() -> str:
-    return disclosure(
-        "Methods", "".join(f"<p><b>{escape(a)}.</b> {escape(b)}</p>" for a, b in METHODS)
-    )
+PROFILE = (
+    "Flexibility of each residue (mean of its N-CA and CA-C bonds: 1 rotates freely, 0 locked, "
+    "below 0 locked by more constraints than needed), and the cluster of its alpha carbon."
+)
+DILUTION = (
+    "Hydrogen bonds and salt bridges are removed one by one, weakest first; one line each "
+    "time that clusters change. What lasts longest is the core; it comes apart at hinges."
+)
+
+METHODS = {
+    "Count": (
+        "Each atom is a body with six freedoms. A bond that can rotate removes five (a hinge), "
+        f"one that does not six, a contact its own number ({BARS}), unless they "
+        "depend on those before: internal degrees of freedom = 6 atoms - independent constraints - "
+        "6 parts (D. J. Jacobs, M. F. Thorpe, Phys. Rev. Lett. 75 (1995) 4051; D. J. Jacobs, A. J. "
+        "Rader, L. A. Kuhn, M. F. Thorpe, Proteins 44 (2001) 150)."
+    ),
+    "Which constraints are independent": (
+        "The (6,6) pebble game: each body has six pebbles, an independent constraint takes one, "
+        "and it is independent if seven can be gathered at its ends (A. Lee, I. Streinu, Discrete "
+        "Math. 308 (2008) 1425). For constraints in general directions that is the rank of the "
+        "rigidity matrix (T.-S. Tay, J. Combin. Theory B 36 (1984) 95; W. Whiteley, SIAM J. "
+        "Discrete Math. 1 (1988) 237); that hinges at one atom meet there changes nothing, the "
+        "molecular conjecture (N. Katoh, S. Tanigawa, Discrete Comput. Geom. 45 (2011) 647)."
+    ),
+    "Flexibility": (
+        "Of a bond between clusters: the freedoms of its block over those that the bonds of the "
+        "block would have each alone. Of a bond in a cluster: - redundant constraints / "
+        "constraints. Of a residue: the mean of N-CA and CA-C."
+    ),
+    "Dilution": (
+        "Hydrogen bonds are removed one by one, weakest first (B. M. Hespenheide, A. J. Rader, M. "
+        "F. Thorpe, L. A. Kuhn, J. Mol. Graph. Model. 21 (2002) 195)."
+    ),
+    "Not claimed": (
+        "The count ignores positions: flat rings and axes that meet by symmetry may move where it "
+        "says rigid. Contacts are there or not; everything depends on which of them count."
+    ),
+}
+
+SECTIONS: tuple[Section[RigidityFacts], ...] = (
+    Section(
+        heading="Rigid clusters",
+        facts=_facts,
+        blocks=lambda facts: [_clusters(facts)],
+        methods=METHODS,
+    ),
+    Section(
+        heading="Along the chain",
+        applies=lambda facts: len(facts.chains) >= LEAST_RESIDUES,
+        blocks=lambda facts: [_picture(profile_svg(facts), PROFILE), _segments(facts)],
+    ),
+    Section(
+        heading="As hydrogen bonds are removed",
+        applies=lambda facts: bool(facts.dilution_svg),
+        blocks=lambda facts: [_picture(facts.dilution_svg, DILUTION)],
+    ),
+)

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant.base.console import counted
-from pliant.base.verdict import Verdict
 from pliant.measure.shapes.other_shapes import OtherShapes
-from pliant.measure.stages.parts import RigidDomains, Torsions, UnitFlexibility, Units
-from pliant.report.domains.domain_texts import domain_line, domain_verdict
-from pliant.report.shapes.shape_texts import turns_text
+from pliant.measure.stages.parts import Units
+from pliant.report.sections.domains import RigidDomains, domain_line, domain_verdict
+from pliant.report.sections.flexible import UnitFlexibility
+from pliant.report.sections.other_shapes import turns_text
+from pliant.report.sections.torsions import Torsions
 
 if TYPE_CHECKING:
     from pliant.jobs.path.found import MolecularPath
@@ -45,42 +46,6 @@ def answers(study: Study) -> dict[str, str]:
     lines["page"] = str(study.page)
     lines["files"] = _files(study)
     return lines
-
-
-def verdicts(study: Study) -> dict[str, Verdict]:
-    """What was found beside the analysis of the frames: of the input, the path, and OpenMM."""
-    made = {"input": _input(study), "path": _path_verdict(study)}
-    if study.check is not None:
-        made |= study.check.verdicts
-    elif study.report.analysis[Units].what != "atom":
-        why = f"MD starts were not tested: {study.why_no_check}."
-        made["MD starts"] = Verdict("open", why, "", "MD starts")
-    return {name: one for name, one in made.items() if one is not None}
-
-
-def _input(study: Study) -> Verdict | None:
-    """What the structure lacks, which matters, and what else was guessed of it."""
-    missing, said = (study.sampled.facts[name] for name in ("missing", "warnings"))
-    if missing:
-        more = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
-        others = _sentences([text for text in said if text != missing[0]])
-        return Verdict("mixed", f"The structure is incomplete: {missing[0]}{more}.", others)
-    if said:
-        return Verdict("open", "Something about the input was guessed.", _sentences(said))
-    return None
-
-
-def _sentences(texts: list[str]) -> str:
-    return " ".join(f"{text[:1].upper()}{text[1:]}." for text in texts)
-
-
-def _path_verdict(study: Study) -> Verdict | None:
-    if study.path is None:
-        return None
-    if study.path.arrived:
-        return Verdict("good", f"A path to {study.end} was found.", "", f"path to {study.end}")
-    left = f"{study.path.reached:.1f} Å of {study.path.frames[0].to_end:.1f} Å are left"
-    return Verdict("mixed", f"No path to {study.end} was found: {left}.", "")
 
 
 def _files(study: Study) -> str:

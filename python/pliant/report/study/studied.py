@@ -10,11 +10,18 @@ from typing import TYPE_CHECKING, Any
 from pliant.base.display import Displayed, Facts
 
 if TYPE_CHECKING:
-    from pliant.checks.check_report import CheckReport
     from pliant.jobs.path.found import MolecularPath
     from pliant.measure.shapes.representatives import Representatives
-    from pliant.report.study.sampled import Sampled
+    from pliant.report.check.check_report import CheckReport
     from pliant.report.suite import AnalysisReport
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """What `pliant sample` did."""
+
+    facts: dict[str, Any]  #: its JSON
+    ensemble: Path
 
 
 @dataclass

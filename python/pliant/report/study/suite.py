@@ -18,14 +18,14 @@ from pliant.base.extras import MissingPackageError, need
 from pliant.base.progress import Stages
 from pliant.base.said import noted
 from pliant.jobs.path import walk
-from pliant.jobs.process import job_options, molecule_rows
+from pliant.jobs.process import job_options, molecule_rows, run_job
 from pliant.measure.stages.analysis import AnalysisOptions
-from pliant.measure.stages.stages import STAGES, analyse_trajectory
+from pliant.report.page.additions import Additions
 from pliant.report.representatives import representatives
-from pliant.report.study.answers import answers, verdicts
-from pliant.report.study.sampled import sampled
-from pliant.report.study.studied import Study
-from pliant.report.study.study_page import additions
+from pliant.report.sections.table import STAGES, analyse_trajectory
+from pliant.report.study.answers import answers
+from pliant.report.study.sections import additions, sections
+from pliant.report.study.studied import Sampled, Study
 from pliant.report.suite import DPI, AnalysisReport
 from pliant.report.write import check_folder, write_report
 
@@ -162,8 +162,7 @@ class _Task:
         on_stage("sampling")
         self.folder.mkdir(parents=True, exist_ok=True)
         try:
-            drawn = {"seed": self.seed, "frames": self.frames}
-            ensemble = sampled(self.file, self.folder, {**drawn, **self.asked})
+            ensemble = self._sampled()
         except Error:
             with contextlib.suppress(OSError):  # it holds an earlier study
                 self.folder.rmdir()
@@ -179,11 +178,19 @@ class _Task:
             on_stage("representatives")
             found.representatives = self._representatives(found)
             self._check(found, on_stage)
-            report.more_verdicts = verdicts(found)
+            report.more = Additions(sections=[*sections(found)])
             found.answers = answers(found)
+            report.more = additions(found)
             on_stage("figures and page")
-            report.outputs = write_report(report.analysis, self.folder, DPI, additions(found))
+            report.outputs = write_report(report.analysis, self.folder, DPI, report.more)
         return found
+
+    def _sampled(self) -> Sampled:
+        """Samples into folder/ensemble.h5md, replacing what is there."""
+        ensemble = self.folder / "ensemble.h5md"
+        files = {"input": os.fspath(self.file), "output": str(ensemble), "overwrite": True}
+        drawn = {"seed": self.seed, "frames": self.frames, **self.asked}
+        return Sampled(run_job({"task": "sample", **files, **drawn}), ensemble)
 
     def _path(self, found: Study, on_stage: Callable[[str], None]) -> None:
         if self.end is None:
@@ -217,7 +224,7 @@ class _Task:
         on_stage("MD starts")
         try:
             need("the check of MD starts", "openmm")
-            from pliant.checks.suite import check
+            from pliant.report.check.suite import check
 
             found.check = check(path, quiet=self.quiet)
         except (MissingPackageError, Error) as error:

@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 import pliant
-from pliant.base import plotting
+from pliant.base import style
 from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.document import Answer, Figure, Table, as_text
 from pliant.lab.experiment.statistics import number
@@ -22,7 +22,7 @@ from pliant.lab.experiment.trials import LIMIT, PUSH, TOLERANCE, Trial, pushed_g
 TITLE = "Why is bfs_cycle with weighting 1 inconsistent?"
 
 POLYGONS = (3, 4, 5, 6, 8, 12, 20, 50)
-COLORS = {0.5: plotting.BLUE, 0.75: plotting.ORANGE, 1.0: plotting.VERMILION}
+COLORS = {0.5: style.BLUE, 0.75: style.ORANGE, 1.0: style.VERMILION}
 LINES = {0.5: "-", 0.75: (0, (5, 3)), 1.0: (0, (1, 2))}
 BINS = (0.0, 0.5, 0.9, 0.99, 1.0 + 1e-9)
 
@@ -205,7 +205,7 @@ def _bin_table(seen: list[Observed]) -> Table:
 
 
 def _draw_rates(found: dict[float, list[Observed]], out: Path) -> Figure:
-    with plotting.figure(1, 2, panel=(5.0, 3.5)) as (plot, axes):
+    with style.figure(1, 2, panel=(5.0, 3.5)) as (plot, axes):
         left, right = axes[0]
         sizes = range(3, 51)
         for weighting in WEIGHTINGS:
@@ -228,7 +228,7 @@ def _draw_rates(found: dict[float, list[Observed]], out: Path) -> Figure:
             yscale="log",
             title="Random 1-cycles",
         )
-        plotting.save(plot, out / "rates.png")
+        style.save(plot, out / "rates.png")
     return Figure(
         out / "rates.png",
         "Left: the factor by which a sweep reduces errors on regular polygons. Right: how often "
@@ -242,7 +242,7 @@ def _polygon_rate(size: int, weighting: float) -> float:
 
 
 def _draw_prediction(found: dict[float, list[Observed]], out: Path) -> Figure:
-    with plotting.figure(1, 1, panel=(9.0, 4.0)) as (plot, axes):
+    with style.figure(1, 1, panel=(9.0, 4.0)) as (plot, axes):
         axis = axes[0][0]
         top = 2.0
         for weighting, marker in zip(WEIGHTINGS, "o^s", strict=True):
@@ -264,7 +264,7 @@ def _draw_prediction(found: dict[float, list[Observed]], out: Path) -> Figure:
             side.set_major_formatter(ScalarFormatter())
             side.set_minor_formatter(NullFormatter())
         axis.legend()
-        plotting.save(plot, out / "prediction.png")
+        style.save(plot, out / "prediction.png")
     return Figure(
         out / "prediction.png",
         "Sweeps predicted from the error after the first sweep and the spectral radius where the "

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 import pliant
-from pliant.base import plotting
+from pliant.base import style
 from pliant.lab.experiment.document import Answer, Figure, Table, as_text
 from pliant.lab.experiment.specimens import SMILES, Specimen, packaged_proteins, rdkit_molecules
 from pliant.lab.experiment.statistics import number
@@ -160,11 +160,11 @@ def _draw(
     out: Path,
 ) -> Figure:
     groups = (
-        ("thesis' random graphs", random, plotting.GREY, "o"),
-        ("small molecules", molecules, plotting.BLUE, "^"),
-        ("proteins, peptides", proteins, plotting.VERMILION, "s"),
+        ("thesis' random graphs", random, style.GREY, "o"),
+        ("small molecules", molecules, style.BLUE, "^"),
+        ("proteins, peptides", proteins, style.VERMILION, "s"),
     )
-    with plotting.figure(1, 2, panel=(4.8, 3.7)) as (plot, axes):
+    with style.figure(1, 2, panel=(4.8, 3.7)) as (plot, axes):
         left, right = axes[0]
         for name, facts, color, marker in groups:
             look = {"s": 22, "color": color, "marker": marker, "alpha": 0.65, "linewidths": 0}
@@ -176,7 +176,7 @@ def _draw(
         left.set_ylim(bottom=-0.2)
         right.set(xscale="log", xlabel="bars", ylabel="bars in the largest ring system (%)")
         plot.legend(*left.get_legend_handles_labels(), loc="outside upper center", ncols=3)
-        plotting.save(plot, out / "census.png")
+        style.save(plot, out / "census.png")
     return Figure(
         out / "census.png",
         "Left: independent cycles against size. Right: how much of the framework is one ring "

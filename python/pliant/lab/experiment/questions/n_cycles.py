@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant.base import plotting
+from pliant.base import style
 from pliant.lab.experiment.document import Answer, Figure, Table, as_text
 from pliant.lab.experiment.settings import label
 from pliant.lab.experiment.statistics import number, with_interval
@@ -20,8 +20,8 @@ TECHNIQUES = (
     ("random", 0.5), ("bfs_cycle", 0.5), ("bfs_reverse", 0.5), ("bfs_cycle", 1.0),
     ("bfs_random", 1.0), ("anderson", 0.5), ("blocks", 0.5),
 )  # fmt: skip  # a table: a row a line
-COLORS = [plotting.GREY, plotting.BLUE, plotting.SKY, plotting.VERMILION, plotting.ORANGE]
-COLORS += [plotting.PURPLE, "black"]
+COLORS = [style.GREY, style.BLUE, style.SKY, style.VERMILION, style.ORANGE]
+COLORS += [style.PURPLE, "black"]
 MARKERS = "o^sDvP*"
 THESIS = TECHNIQUES[:5]
 
@@ -101,7 +101,7 @@ def _table(found: Results, shares: dict[int, float], seed: int) -> Table:
 
 
 def _draw(found: Results, cycles: tuple[int, ...], seed: int, out: Path) -> Figure:
-    with plotting.figure(1, 2, panel=(4.8, 3.8)) as (plot, axes):
+    with style.figure(1, 2, panel=(4.8, 3.8)) as (plot, axes):
         left, right = axes[0]
         for combination, color, marker in zip(TECHNIQUES, COLORS, MARKERS, strict=True):
             works = [found[n, combination] for n in cycles]
@@ -115,7 +115,7 @@ def _draw(found: Results, cycles: tuple[int, ...], seed: int, out: Path) -> Figu
         left.set(yscale="log", xlabel="independent cycles", ylabel="mean projections")
         right.set(xlabel="independent cycles", ylabel=f"pushes that met {LIMIT} sweeps (%)")
         plot.legend(*left.get_legend_handles_labels(), loc="outside upper center", ncols=4)
-        plotting.save(plot, out / "n_cycles.png")
+        style.save(plot, out / "n_cycles.png")
     return Figure(
         out / "n_cycles.png",
         f"Work and failures against the number of independent cycles; {JOINTS} joints, push 0.5 Å, "

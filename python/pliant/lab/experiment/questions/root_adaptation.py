@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant.base import plotting
+from pliant.base import style
 from pliant.checks.weightings import WEIGHTINGS
 from pliant.lab.experiment.document import Answer, Figure, Table, as_text
 from pliant.lab.experiment.settings import label
@@ -18,7 +18,7 @@ TITLE = "Does adapting the root help?"
 
 NONE = "bfs_cycle"
 ADAPTIONS = {"bfs_adapt": "worst non-tree bar", "bfs_random": "random joint"}
-COLORS = {"bfs_adapt": plotting.VERMILION, "bfs_random": plotting.GREEN}
+COLORS = {"bfs_adapt": style.VERMILION, "bfs_random": style.GREEN}
 KINDS = {
     "1-cycle": ("1-cycle-bar", "1-cycle-ring"),
     "2-cycle": ("2-cycle-bars", "2-cycle-shared", "2-cycle-tree", "2-cycle-path"),
@@ -137,7 +137,7 @@ def _table(found: Results, seed: int) -> Table:
 
 
 def _draw(found: Results, seed: int, out: Path) -> Figure:
-    with plotting.figure(1, len(KINDS), panel=(3.2, 3.4)) as (plot, axes):
+    with style.figure(1, len(KINDS), panel=(3.2, 3.4)) as (plot, axes):
         for axis, family in zip(axes[0], KINDS, strict=True):
             for shift, technique in zip((-0.11, 0.11), ADAPTIONS, strict=True):
                 ratios = np.array(
@@ -152,7 +152,7 @@ def _draw(found: Results, seed: int, out: Path) -> Figure:
             axis.set(title=family, xlabel="weighting")
         axes[0][0].set_ylabel("projections / those of bfs_cycle")
         plot.legend(*axes[0][0].get_legend_handles_labels(), loc="outside upper center", ncols=3)
-        plotting.save(plot, out / "adaptation.png")
+        style.save(plot, out / "adaptation.png")
     return Figure(
         out / "adaptation.png",
         "Work of each adaptation over that of bfs_cycle, tolerance 0.01 Å; whiskers: 95 % of the "

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+"""The headings of the page of an analysis, in the order in which they are read."""
+
+FLEXIBLE = "What is flexible"
+TOGETHER = "What moves together"
+COLLECTIVE = "Collective motions"
+OTHER = "What else it could look like"
+POCKETS = "Pockets"
+CHEMISTRY = "Contacts and stereochemistry"
+ON_THE_WAY = "How it gets there"
+SHAPES = "Shape"
+STARTS = "Starting molecular dynamics"
+EXACT = "Exactness and effort"
+
+#: those whose figures and tables are as wide as the page
+WIDE = (OTHER, POCKETS)
+HEADINGS = (
+    *(FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, POCKETS, ON_THE_WAY, CHEMISTRY, STARTS),
+    *(SHAPES, EXACT),
+)

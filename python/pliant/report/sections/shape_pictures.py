@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""A picture of each shape: its chain in colour over that of the start in grey."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from scipy.interpolate import CubicSpline
+
+from pliant.base import style
+from pliant.measure.shapes.other_shapes import OtherShapes, Shape
+from pliant.measure.stages.analysis import Analysis
+from pliant.measure.stages.parts import ReferenceStructure
+
+COLUMNS = 4  #: panels in a row
+#: points of the curve for half the way from a residue to the next
+POINTS = 4
+LONGEST_STEP = 8.0  #: from residue to residue, Angstrom; a longer one is a gap
+NEARER = 2.0  #: Angstrom in front of the start: the shape is seen where it has not moved
+SCALE = 10.0  #: length of the bar in the corner, Angstrom
+
+
+def shape_pictures(analysis: Analysis) -> Figure:
+    """One panel a shape."""
+    part = analysis[OtherShapes]
+    columns = min(COLUMNS, len(part.shapes))
+    rows = -(-len(part.shapes) // columns)
+    width = style.WIDE[0] * max(columns, 2) / COLUMNS
+    figure, axes = style.new_figure(
+        (width, rows * style.WIDE[0] / COLUMNS * 1.12), rows, columns, squeeze=False
+    )
+    start = analysis[ReferenceStructure].positions[part.sites]
+    for panel in axes.flat:
+        panel.set_axis_off()
+    for number, (panel, shape) in enumerate(zip(axes.flat, part.shapes, strict=False), 1):
+        _draw(panel, start, shape)
+        panel.set_title(f"{number}: {shape.rmsd:.1f} Å, frame {shape.frame}", fontsize=8.5)
+    return figure
+
+
+def _draw(axes: Axes, start: np.ndarray, shape: Shape) -> None:
+    turns = shape.turns
+    view = _view(start, turns.axes[np.argmax(turns.angles)] if turns.angles.any() else None)
+    middle = start.mean(axis=0)
+    before, after = (start - middle) @ view, (turns.end - middle) @ view
+    shade = np.array(style.DOMAIN_COLOURS, dtype=object)[turns.piece]
+    grey = np.full(len(start), style.GREY, dtype=object)
+    parts = [_curve(before, grey), _curve(after, shade)]
+    segments, depths = (np.concatenate(values) for values in list(zip(*parts, strict=True))[:2])
+    shades = [colour for part in parts for colour in part[2]]
+    depths[len(parts[0][1]) :] += NEARER
+    order = np.argsort(depths, kind="stable")
+    paths = np.repeat(segments[order], 2, axis=0)  # each over a wider one in white, for depth
+    styles = [style for k in order for style in (("white", 2.8), (shades[k], 1.3))]
+    colours, widths = zip(*styles, strict=True)
+    lines = LineCollection(list(paths), colors=colours, linewidths=widths, capstyle="butt")
+    axes.add_collection(lines)
+    hinges = np.unique(turns.hinges)
+    axes.scatter(after[hinges, 0], after[hinges, 1], s=9, color=style.INK, zorder=3)
+    corner = np.minimum(before.min(axis=0), after.min(axis=0))[:2] - 2.0
+    axes.plot(corner[0] + [0.0, SCALE], [corner[1]] * 2, color=style.INK, lw=1.2)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.autoscale_view()
+
+
+def _view(start: np.ndarray, axis: np.ndarray | None) -> np.ndarray:
+    """Columns: right, up and towards the reader; the last is the axis, or that of least extent."""
+    spread = np.linalg.svd(start - start.mean(axis=0), full_matrices=False)[2]
+    towards = spread[2] if axis is None else axis
+    right = spread[0] - (spread[0] @ towards) * towards
+    if np.linalg.norm(right) < 0.1:
+        right = spread[1] - (spread[1] @ towards) * towards
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards], axis=1)
+
+
+def _curve(points: np.ndarray, colours: np.ndarray) -> tuple[np.ndarray, np.ndarray, list[str]]:
+    """Pieces (m, p, 2) of a smooth curve through the points, their depths and their colours.
+
+    A piece goes from halfway before a point to the point, or from there to halfway after it.
+    """
+    halves = np.arange(2 * (len(points) - 1))
+    curve = CubicSpline(np.arange(len(points)), points)
+    # A little further at both ends, so that no gap shows between one piece and the next.
+    pieces = curve(halves[:, None] / 2 + np.linspace(-0.03, 0.53, POINTS))
+    whole = np.linalg.norm(np.diff(points, axis=0), axis=1)[halves // 2] < LONGEST_STEP
+    shades = colours[(halves[whole] + 1) // 2].tolist()
+    return pieces[whole, :, :2], pieces[whole, :, 2].mean(axis=1), shades
