@@ -196,7 +196,10 @@ class TestViewer:
         browser = opened(path)
         assert browser.evaluate("document.documentElement.dataset.viewer") == "failed"
         message = browser.evaluate("document.getElementById('message').textContent")
-        assert "It needs a browser with WebGL. The rest of the page is whole." in message
+        assert message == (
+            "The 3-D view could not be drawn. This browser gives no WebGL 2, by which the picture "
+            "is drawn. The rest of the page is whole."
+        )
 
 
 @pytest.mark.long

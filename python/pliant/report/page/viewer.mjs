@@ -219,6 +219,6 @@ try {
 } catch (error) {
   facts.viewer = 'failed';
   $('message').hidden = false;
-  $('message').textContent = `The 3-D view could not be drawn: ${error?.message ?? error}. ` +
-    'It needs a browser with WebGL. The rest of the page is whole.';
+  const why = String(error?.message ?? error).replace(/\.?$/, '.');
+  $('message').textContent = `The 3-D view could not be drawn. ${why} The rest of the page is whole.`;
 }
