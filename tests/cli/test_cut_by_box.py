@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What commands do with a molecule that its periodic box cuts, as it comes from MD."""
 
-import json
 from pathlib import Path
 
 import h5py
@@ -60,27 +59,6 @@ def test_it_is_made_whole_and_said(pliant, cut, tmp_path, words):
             frames = file["particles/trajectory/position/value"][:]
         bonds = library.H5mdReader(str(tmp_path / "out.h5md")).structure().bonds
         assert longest(frames, bonds) < 2.5
-
-
-@commands
-def test_without_a_cell_it_is_refused(pliant, cut, tmp_path, words):
-    length = cut(with_cell=False)
-    ended = pliant(*words)
-    assert (ended.code, ended.out) == (1, "")
-    *_, last = ended.err.splitlines()
-    assert last.partition("cut.pdb: bond A:")[0] in ("pliant: error: ", "pliant path: error: ")
-    assert f" is {length} Angstrom long: the molecule seems to be cut by a periodic box; " in last
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["cut.pdb"]
-
-
-def test_contacts_are_those_of_the_whole(pliant, cut):
-    cut()
-    of_cut, of_whole = (
-        json.loads(pliant("contacts", path, "--json").out)["contacts"]
-        for path in ("cut.pdb", PEPTIDE)
-    )
-    ends = [[(contact["a"], contact["b"]) for contact in found] for found in (of_cut, of_whole)]
-    assert ends[0] == ends[1] and len(ends[0]) == 2
 
 
 @pytest.mark.long

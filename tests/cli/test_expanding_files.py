@@ -3,22 +3,14 @@
 
 import shutil
 import subprocess
-import sys
 
 import h5py
 import pytest
 from expanding_files import EXPANDING, LARGE
+from memory_of import measured
 
 #: MB that a command may take, and far below what the files unpack to
 MOST = 300
-
-#: Runs a command; its last line is the largest memory of any process of it, in kB.
-MEASURE = """
-import resource, subprocess, sys
-ended = subprocess.run(sys.argv[1:])
-print("\\n", resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, file=sys.stderr)
-sys.exit(ended.returncode)
-"""
 
 #: BAD stands for the file; the first words decide which option names the output.
 COMMANDS = {
@@ -50,25 +42,16 @@ def expanding(good, folder, name):
     assert (folder / "bad.h5md").stat().st_size < 3e6 < LARGE / 100
 
 
-def measured(command, folder, words):
+def of_bad(command, folder, words):
     """Code, what was said, and MB."""
-    words = ["bad.h5md" if word == "BAD" else word for word in words]
-    ended = subprocess.run(
-        [sys.executable, "-c", MEASURE, command, *words],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=900,
-    )
-    *said, memory = ended.stderr.split("\n ")
-    return ended.returncode, "".join(said).strip(), int(memory) / 1024
+    return measured([command, *("bad.h5md" if word == "BAD" else word for word in words)], folder)
 
 
 @pytest.mark.parametrize("words", COMMANDS.values(), ids=COMMANDS)
 def test_positions_that_unpack_to_a_gigabyte(command, good, tmp_path, words):
     expanding(good, tmp_path, "chunk_of_positions")
     before = sorted(tmp_path.iterdir())
-    code, said, memory = measured(command, tmp_path, words)
+    code, said, memory = of_bad(command, tmp_path, words)
     assert code == 1, said
     assert "error: bad.h5md: " in said.splitlines()[-1]
     assert "/particles/trajectory/position/value" in said
@@ -81,7 +64,7 @@ def test_positions_that_unpack_to_a_gigabyte(command, good, tmp_path, words):
 @pytest.mark.parametrize("name", ["bars", "chunk_of_bars", "chunk_of_sweeps", "chunk_of_masses"])
 def test_frames_are_saved_where_something_else_expands(command, good, tmp_path, name):
     expanding(good, tmp_path, name)
-    code, said, memory = measured(command, tmp_path, COMMANDS["recover"])
+    code, said, memory = of_bad(command, tmp_path, COMMANDS["recover"])
     assert (code, said) == (0, "")
     assert memory < MOST
     with h5py.File(tmp_path / "saved.h5md") as saved, h5py.File(good) as whole:

@@ -36,17 +36,6 @@ def assert_same(one, two):
         np.testing.assert_array_equal(values, two[name], err_msg=name)
 
 
-@pytest.mark.parametrize("technique", ["bfs_cycle", "random", "blocks"])
-def test_recorded_forces_replay_to_the_same_bits(pliant, ethanol, tmp_path, technique):
-    run = ("run", ethanol, "--technique", technique, "--seed", 4, "--every", 3)
-    first = pliant(*run, "--steps", 20, "-o", "1.h5md", "--record-forces", "f.txt")
-    assert first.code == 0
-    again = pliant(*run, "-o", "2.h5md", "--forces", "f.txt", "--record-forces", "g.txt")
-    assert again.code == 0
-    assert_same(moved(tmp_path / "1.h5md"), moved(tmp_path / "2.h5md"))
-    assert (tmp_path / "f.txt").read_text() == (tmp_path / "g.txt").read_text()
-
-
 def test_recorded_forces_hold_the_settings_of_the_run(pliant, ethanol, tmp_path):
     words = "--steps 1 --timestep 0.005 --tolerance-length 0.001 --max-sweeps 77"
     pliant("run", ethanol, *words.split(), "--record-forces", "f.txt")
@@ -63,17 +52,6 @@ def test_recorded_forces_hold_the_settings_of_the_run(pliant, ethanol, tmp_path)
     ]
     assert lines[8].startswith("push ")
     assert len(lines) == 9
-
-
-@pytest.mark.parametrize("perturb", ["force_all", "displacement"])
-def test_what_is_not_one_force_on_one_joint_is_not_recorded(pliant, ethanol, tmp_path, perturb):
-    ended = pliant("run", ethanol, "--perturb", perturb, "--record-forces", "f.txt")
-    assert ended.code == 2
-    assert ended.err == (
-        "pliant: error: --record-forces: a force file holds one force on one joint a step, which "
-        f"{perturb} is not; use --perturb force\n"
-    )
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["ethanol.xyz"]
 
 
 def test_each_walker_records_its_own_forces(pliant, ethanol, tmp_path):

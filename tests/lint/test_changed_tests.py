@@ -45,12 +45,12 @@ RANKS = [
     (CHECK, "", "python/pliant/check/suite.py", near.FOLDER),
     (CHECK, "", "tests/python/check/conftest.py", near.AREA),
     (CHECK, "", "python/pliant/base/csv_cells.py", None),
-    (P("tests/python/test_csv_cells.py"), "", "python/pliant/base/csv_cells.py", near.NAMED),
+    (P("tests/python/test_console.py"), "", "python/pliant/base/console.py", near.NAMED),
     (P("tests/python/resolve/test_x.py"), "", "python/bind/resolve/bind_resolve.cpp", near.FOLDER),
     (P("tests/cli/sample/test_sample.py"), "", "apps/commands/cmd_sample.cpp", near.NAMED),
     (P("tests/cli/test_help.py"), "", "apps/commands/cmd_sample.cpp", near.AREA),
     (P("tests/docs/test_pages.py"), "", "docs/pages/commands.md", near.AREA),
-    (P("tests/python/test_readme.py"), 'ROOT / "README.md"', "README.md", near.USES),
+    (P("tests/docs/test_pages.py"), 'ROOT / "README.md"', "README.md", near.USES),
 ]
 
 

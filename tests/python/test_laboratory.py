@@ -30,17 +30,6 @@ def test_an_ordering_resolves_as_the_technique_it_was_taken_from():
     np.testing.assert_array_equal(one, three)
 
 
-def test_a_run_takes_an_ordering():
-    replay = [(3, (40.0, 0.0, 10.0))]
-    ordering = pliant.order(FIGURE.framework, "bfs_cycle", root=3)
-    one, two = (
-        pliant.run(FIGURE.framework, FIGURE.positions, replay=replay, **options)
-        for options in ({"technique": "bfs_cycle"}, {"technique": "input", "ordering": ordering})
-    )
-    np.testing.assert_array_equal(one.state.positions, two.state.positions)
-    assert one.sweeps == two.sweeps > 1
-
-
 def test_ordering_text_is_read_back(tmp_path):
     ordering = pliant.order(FIGURE.framework, "dfs_cycle", root=2)
     path = tmp_path / "ordering.txt"
@@ -76,38 +65,6 @@ def test_what_is_no_ordering_is_refused(ordering, error, message):
     with pytest.raises(error) as caught:
         pliant.resolve(pair, np.zeros((3, 3)), "input", ordering=ordering)
     assert str(caught.value) == message
-
-
-def test_an_ordering_goes_with_input_alone():
-    with pytest.raises(pliant.OptionError, match="goes with the technique input, not with bfs_"):
-        pliant.resolve(
-            FIGURE.framework, broken(), "bfs_cycle", ordering=pliant.order(FIGURE.framework)
-        )
-
-
-def test_made_forces_are_those_of_a_run():
-    forces = pliant.make_force_file(FIGURE.framework, 25, force=30.0, seed=6, walker=2)
-    assert (forces.timestep, forces.tolerance, forces.max_sweeps) == (0.01, 1e-6, 10000)
-    seen = []
-    pliant.run(
-        FIGURE.framework,
-        FIGURE.positions,
-        steps=25,
-        force=30.0,
-        seed=6,
-        walker=2,
-        observers=[lambda frame: seen.append((frame.root_joint, tuple(frame.force)))],
-    )
-    assert forces.pushes == seen[1:]
-    assert forces.text(FIGURE.framework).count("push ") == 25
-
-
-def test_forces_need_a_joint_that_is_free():
-    pinned = pliant.Framework([[0, 1]], [1.0], pinned=[0, 1])
-    with pytest.raises(pliant.OptionError, match="no joint is free to be pushed"):
-        pliant.make_force_file(pinned)
-    with pytest.raises(pliant.OptionError, match="max_sweeps = 0: must be from 1"):
-        pliant.make_force_file(FIGURE.framework, max_sweeps=0)
 
 
 def test_the_weightings_of_the_thesis_are_those_of_a_test_set():

@@ -192,3 +192,12 @@ def test_warnings_as_errors_do_not_end_the_process(tmp_path):
     )
     assert (done.returncode, done.stdout) == (0, "alive\n"), done.stderr
     assert "File too large" in done.stderr
+
+
+def test_what_is_held_when_python_ends_is_nothing_to_complain_of():
+    script = "import ctypes, pliant; held = pliant.Guide()\n"
+    script += "ctypes.pythonapi.Py_IncRef(ctypes.py_object(held))\n"
+    ended = subprocess.run(
+        [sys.executable, "-c", script], text=True, capture_output=True, check=False
+    )
+    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "", "")

@@ -68,24 +68,6 @@ def numpy_draws(key, count):
     return list(itertools.chain.from_iterable(blocks))[:count]
 
 
-def test_a_sequence_is_numpys_blocks_one_after_the_other():
-    count = 37
-    answers = ours("bits", [f"{' '.join(map(str, key))} {count}" for key in keys()])
-    for key, bits in zip(keys(), answers, strict=True):
-        assert list(map(int, bits)) == numpy_draws(key, count), key
-
-
-def test_uniform_numbers_are_the_upper_53_bits_as_numpys_are():
-    answers = ours("uniform", [f"{' '.join(map(str, key))} 5" for key in keys()])
-    for key, numbers in zip(keys(), answers, strict=True):
-        assert list(map(int, numbers)) == [bits >> 11 for bits in numpy_draws(key, 5)]
-    seed, domain, walker, step, joint = next(keys())
-    counter = np.array([step - 1, joint, walker, 0], dtype=np.uint64)
-    philox = np.random.Philox(counter=counter, key=np.array([seed, domain], dtype=np.uint64))
-    first = np.random.Generator(philox).random()
-    assert int(answers[0][0]) * 2.0**-53 == first
-
-
 def numpy_direction(key):
     """Marsaglia 1972 on numpy's draws."""
     bits = iter(numpy_draws(key, 400))

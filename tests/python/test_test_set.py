@@ -70,19 +70,6 @@ def test_the_set_says_what_it_holds(made):
         made.class_named("2-cycle-path")
 
 
-def test_graphs_and_forces_are_those_of_generate_and_run(made):
-    for kind in made.classes:
-        for graph in kind.graphs:
-            made_again = pliant.generate(kind.name, 5, graph.number, cycles=4)
-            np.testing.assert_array_equal(graph.graph.positions, made_again.positions)
-            forces = pliant.make_force_file(made_again.framework, 6, seed=5, walker=graph.number)
-            assert graph.pushes == forces.pushes
-            for column, expected in zip(
-                graph.ordering, pliant.order(made_again.framework), strict=True
-            ):
-                np.testing.assert_array_equal(column, expected)
-
-
 @pytest.mark.parametrize("kind", [row.name for row in pliant.graph_classes()])
 def test_written_graphs_are_of_their_class(tmp_path, kind):
     """By networkx, from the XML as Python's own parser reads it."""
@@ -175,19 +162,7 @@ def test_parts_outlive_the_name_of_their_set(tmp_path):
     assert heuristic.technique == "random"
 
 
-def test_a_set_needs_an_empty_folder(made):
-    with pytest.raises(pliant.FileError, match="a test set is made in an empty folder"):
-        pliant.write_test_set(made.directory)
-
-
 def test_a_graph_is_a_copy_of_ones_own(made):
     graph = made.classes[0].graphs[0]
     graph.graph.positions[:] = 0
     assert graph.graph.positions.any()
-
-
-def test_a_bad_index_is_named(made):
-    index = Path(made.directory) / "results.xml"
-    index.write_text(index.read_text().replace('mode="', 'mod="', 1).replace("bfs_tree", "bfs", 1))
-    with pytest.raises(pliant.InputError, match=r"results\.xml:6: heuristic: technique: no tech"):
-        pliant.read_test_set(made.directory)

@@ -120,27 +120,6 @@ def test_froda_without_a_reference_ends_near_where_a_minimiser_of_all_torsions_e
     assert np.abs(pliant.residuals(framework, moved(best.x))).max() < 1e-12
 
 
-def test_the_same_input_gives_the_same_bits():
-    structure, framework = angles_of("peptide_20.pdb")
-    results = []
-    for _ in range(2):
-        positions = broken(structure, 0.2, 9)
-        summary = pliant.resolve(framework, positions, technique="units", tolerance=1e-12)
-        assert summary.converged
-        assert summary.sweeps == 1
-        results.append(positions)
-    assert results[0].tobytes() == results[1].tobytes()
-
-
-def test_a_framework_made_of_positions_keeps_its_shape():
-    structure, framework = angles_of("caffeine.sdf")
-    bare = pliant.Framework(framework.bars, positions=structure.positions)
-    positions = broken(structure, 0.3, 2)
-    summary = pliant.resolve(bare, positions, technique="units", tolerance=1e-12)
-    assert summary.converged
-    assert summary.sweeps == 1
-
-
 def many_of(framework, positions, copies):
     """Copies 100 Angstrom apart as one framework that does not know where its joints were drawn."""
     bars = [framework.bars + len(positions) * k for k in range(copies)]

@@ -3,8 +3,6 @@
 // standard input:
 //
 //   pliant_print_random philox     c0 c1 c2 c3 k0 k1 -> the four words of Philox4x64-10
-//   pliant_print_random bits       seed domain walker step joint n -> the first n draws of 64 bits
-//   pliant_print_random uniform    the same, as the integers uniform * 2^53
 //   pliant_print_random direction  seed domain walker step joint -> x y z, as hexadecimal floats
 #include <array>
 #include <cstdio>
@@ -34,15 +32,6 @@ void print_philox(std::istream& words) {
   for (const std::uint64_t word : philox4x64(counter, key)) std::cout << word << ' ';
 }
 
-void print_draws(std::istream& words, bool uniform) {
-  RandomSequence draws = sequence_of(words);
-  std::size_t count = 0;
-  words >> count;
-  for (std::size_t k = 0; k < count; ++k)
-    std::cout << (uniform ? static_cast<std::uint64_t>(draws.uniform() * 0x1p53) : draws.bits())
-              << ' ';
-}
-
 void print_direction(std::istream& words) {
   const Vec3 direction = sequence_of(words).direction();
   for (const double x : {direction.x, direction.y, direction.z}) std::printf("%a ", x);
@@ -57,12 +46,10 @@ int main(int count, char** arguments) {
     std::istringstream words(line);
     if (mode == "philox") {
       print_philox(words);
-    } else if (mode == "bits" || mode == "uniform") {
-      print_draws(words, mode == "uniform");
     } else if (mode == "direction") {
       print_direction(words);
     } else {
-      std::cerr << "usage: pliant_print_random philox|bits|uniform|direction\n";
+      std::cerr << "usage: pliant_print_random philox|direction\n";
       return 2;
     }
     if (!words) {

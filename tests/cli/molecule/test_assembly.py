@@ -62,29 +62,6 @@ def test_contacts_and_samples_are_of_the_assembly(pliant, pair, tmp_path):
     assert ended.code == 0, ended.err
 
 
-def test_runs_begin_at_the_copies(pliant, pair, tmp_path):
-    pliant("run", pair, "-o", "o.h5md", "--assembly", 1, "--steps", 2, "--quiet")
-    with h5py.File(tmp_path / "o.h5md") as file:
-        start = file["particles/trajectory/position/value"][0]
-    half = len(start) // 2
-    np.testing.assert_allclose(start[half:], start[:half] * [-1, -1, 1] + [30, 0, 0], atol=1e-4)
-
-
-@pytest.mark.parametrize("command", ["info", "contacts", "run", "sample"])
-def test_what_is_not_stated_is_refused(pliant, pair, tmp_path, command):
-    ended = pliant(command, pair, "--assembly", 2)
-    assert (ended.code, ended.err) == (
-        2,
-        f'pliant: error: no assembly "2" in {pair}: it states 1\n',
-    )
-    ended = pliant(command, PEPTIDE, "--assembly", 1)
-    assert (ended.code, ended.err) == (
-        2,
-        f'pliant: error: no assembly "1" in {PEPTIDE}: it states none\n',
-    )
-    assert [path.name for path in tmp_path.iterdir()] == ["pair.pdb"]
-
-
 @pytest.mark.parametrize(
     "command", ["info", "run", "sample", "contacts", "lab order", "lab forcegen", "rigidity"]
 )

@@ -9,9 +9,7 @@ import importlib.util
 import os
 from pathlib import Path
 
-import numpy as np
 import pytest
-from h5md_contents import contents
 
 CORPUS = Path(__file__).parents[2] / "corpus"
 MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
@@ -94,19 +92,6 @@ def test_contacts_of_structures_are_read_back(pliant, tmp_path, name, form):
     if form == "--csv" and name in TWICE:
         bonds = [line.split(",")[1:3] for line in lines if line.startswith("hydrogen_bond")]
         assert any([b, a] in bonds for a, b in bonds)
-
-
-@pytest.mark.parametrize("form", FORMS)
-def test_two_bonds_of_one_pair_give_the_same_bits(pliant, tmp_path, form):
-    file, common = packaged(TWICE[0]), ("--frames", 2, "--quiet", "--topology", "none")
-    (tmp_path / "contacts.txt").write_text(pliant("contacts", file, form).out)
-    pliant("sample", file, "-o", "found.h5md", *common)
-    ended = pliant("sample", file, "-o", "given.h5md", "--contacts", "contacts.txt", *common)
-    assert ended.code == 0, ended.err
-    found, given = contents(tmp_path / "found.h5md"), contents(tmp_path / "given.h5md")
-    for name, value in found.items():
-        if name != "parameters/model/contacts":
-            assert np.array_equal(value, given[name]), name
 
 
 @pytest.mark.long

@@ -49,35 +49,6 @@ def test_what_was_done_is_reported(pliant):
     assert "warning: side chains: 5 residues lack atoms: A:GLN682 (CG CD OE1 NE2), " in ended.err
 
 
-def test_the_same_file_gives_the_same_contacts(pliant):
-    assert pliant("contacts", XRAY, "--csv").out == pliant("contacts", XRAY, "--csv").out
-
-
-def test_a_lower_cutoff_leaves_bonds_out(pliant):
-    all_of_them = rows_of(pliant("contacts", OPEN, "--csv").out)
-    strong = rows_of(pliant("contacts", OPEN, "--csv", "--hbond-cutoff", "-4").out)
-    bonds = [row for row in strong if row["kind"] == "hydrogen_bond"]
-    assert max(float(row["energy"]) for row in bonds) < -4
-    kept = [row for row in all_of_them if row["hydrogen"] and float(row["energy"]) < -4]
-    assert len(kept) == sum(bool(row["hydrogen"]) for row in strong)
-
-
-def test_contacts_edited_are_given_back(pliant, tmp_path):
-    lines = pliant("contacts", OPEN, "--csv").out.splitlines()
-    edited = tmp_path / "edited.csv"
-    edited.write_text("\n".join([lines[0], *lines[5:9]]) + "\n")
-    ended = pliant("contacts", OPEN, "--contacts", edited, "--csv")
-    assert ended.out.splitlines() == [lines[0], *lines[5:9]]
-
-
-def test_a_wrong_line_is_named(pliant, tmp_path):
-    wrong = tmp_path / "wrong.csv"
-    wrong.write_text("kind,a,b\nhydrophobic,0,A:NO1:CA\n")
-    ended = pliant("contacts", OPEN, "--contacts", wrong)
-    assert ended.code == 1
-    assert f'{wrong}:2: there is no atom called "A:NO1:CA"\n' in ended.err
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -106,19 +77,6 @@ def test_options_that_do_not_go_together(pliant, tmp_path, arguments, message):
     ended = pliant("run", molecule, *arguments)
     assert (ended.code, ended.err.splitlines()[-1]) == (2, f"pliant: error: {message}")
     assert not (tmp_path / "his.h5md").exists()
-
-
-def test_a_run_knows_its_model(pliant, tmp_path):
-    molecule = tmp_path / "his.pdb"
-    molecule.write_text(HISTIDINE)
-    ended = pliant(
-        "run", molecule, "--model", "protein", "--steps", "2", "--technique", "bfs_cycle"
-    )
-    assert ended.code in (0, 3)
-    h5py = pytest.importorskip("h5py")
-    with h5py.File(tmp_path / "his.h5md") as file:
-        assert file["parameters/model/kind"][()].decode() == "protein"
-        assert file["particles/trajectory/position/value"].shape[1] == 7
 
 
 def test_bars_of_bonds_are_said_to_be_free(pliant):
@@ -162,13 +120,6 @@ def test_contacts_left_out_of_the_json_are_not_held(pliant, tmp_path):
     assert json.loads(ended.out) == listed
 
 
-def test_a_wrong_object_is_named(pliant, tmp_path):
-    (tmp_path / "wrong.json").write_text('{"contacts": [\n {"kind": "hydrophobic", "a": 0}\n]}')
-    ended = pliant("contacts", OPEN, "--contacts", "wrong.json")
-    assert ended.code == 1
-    assert ended.err.splitlines()[-1] == 'pliant: error: wrong.json:2: there is no "b"'
-
-
 def test_side_chains_are_built_where_asked(pliant):
     lacking = pliant("contacts", XRAY)
     assert "; --fill-side-chains builds them" in lacking.err
@@ -191,32 +142,6 @@ def test_kinds_that_are_not_usual_are_found_where_asked(pliant, tmp_path):
     assert row["b"].startswith("A:TYR10:C")
     (tmp_path / "more.csv").write_text(more.out)
     assert pliant("contacts", TRYPSIN_INHIBITOR, "--contacts", "more.csv", "--csv").out == more.out
-
-
-def test_a_kind_that_is_not_usual_counts_in_the_pebble_game(pliant):
-    usual, more = (
-        json.loads(pliant("rigidity", TRYPSIN_INHIBITOR, "--json", *options).out)
-        for options in ((), CATION_PI)
-    )
-    assert more["contacts"] == usual["contacts"] + 1
-    assert more["bars"] == usual["bars"] + 2
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        (["--more-contacts", "cation_pie"],
-         'no kind of contact named "cation_pie" (did you mean "cation_pi"?); known: '),
-        (["--contacts", "none.csv", *CATION_PI],
-         "more_contacts: goes with contacts that are found, not with given ones"),
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("command", ["contacts", "rigidity", "sample"])
-def test_kinds_that_cannot_be_found_are_refused(pliant, tmp_path, command, options, message):
-    (tmp_path / "none.csv").write_text("kind,a,b\n")
-    ended = pliant(command, TRYPSIN_INHIBITOR, *options)
-    assert ended.code == 2
-    assert ended.err.splitlines()[-1].startswith(f"pliant: error: {message}")
 
 
 @pytest.mark.parametrize(

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 import json
 
-import pytest
-
 
 def test_info_counts_as_json(pliant, ethanol):
     ended = pliant("info", ethanol, "--json")
@@ -12,13 +10,6 @@ def test_info_counts_as_json(pliant, ethanol):
     assert counts == {"atoms": 9, "joints": 9, "bonds": 8, "bars": 8, "cycles": 0}
     assert (facts["components"], facts["bridges"], facts["blocks"]) == (1, 8, 0)
     assert facts["elements"] == {"H": 6, "C": 2, "O": 1}
-
-
-def test_info_with_angles(pliant, ethanol):
-    facts = json.loads(pliant("info", ethanol, "--bars", "angles", "--json").out)
-    # 1-3 pairs: 6 at each carbon, 1 at the oxygen
-    assert facts["bars"] == 8 + 13
-    assert facts["blocks"] == 1
 
 
 def test_info_as_a_table(pliant, ethanol):
@@ -53,22 +44,6 @@ def test_a_graph_has_joints_and_no_atoms(pliant, tmp_path):
     assert {"atoms", "elements", "bonds", "residues"}.isdisjoint(facts)
 
 
-def test_a_missing_file_is_one_line(pliant):
-    ended = pliant("info", "nowhere.pdb")
-    assert (ended.code, ended.out) == (1, "")
-    assert ended.err.count("\n") == 1
-    assert "nowhere.pdb" in ended.err
-    assert "No such file or directory" in ended.err
-
-
-def test_a_bad_line_is_named(pliant, ethanol):
-    ethanol.write_text(ethanol.read_text().replace("-0.5116", "-0,5116"))
-    ended = pliant("info", ethanol)
-    assert (ended.code, ended.out) == (1, "")
-    assert "ethanol.xyz:4: " in ended.err
-    assert '"-0,5116"' in ended.err
-
-
 def test_limits_and_sterics_of_a_bars_file_are_counted(pliant, tmp_path):
     (tmp_path / "g.xml").write_text(TRIANGLE_WITH_A_TAIL)
     (tmp_path / "bars.txt").write_text(
@@ -86,31 +61,6 @@ def test_limits_and_sterics_of_a_bars_file_are_counted(pliant, tmp_path):
     assert counts == {"given": 1, "hydrophobic": 1}
 
 
-TINKER = """     3  WATER
-{box}     1  O      0.000000    0.000000    0.000000     1     2     3
-     2  H      0.957200    0.000000    0.000000     2     1
-     3  H     -0.239988    0.926627    0.000000     2     1
-"""
-
-
-@pytest.mark.parametrize("box", ["", "    18.6  18.6  18.6  90.0  90.0  90.0\n"])
-def test_tinker_files_are_named(pliant, tmp_path, box):
-    (tmp_path / "water.xyz").write_text(TINKER.format(box=box))
-    ended = pliant("info", "water.xyz")
-    assert (ended.code, ended.out) == (1, "")
-    assert "water.xyz:1: is a Tinker XYZ file" in ended.err
-
-
 def test_a_comment_may_read_like_tinker(pliant, tmp_path):
     (tmp_path / "water.xyz").write_text("1\n 1 O 0.0 0.0 0.0 1 2 3\nO 0 0 0\n")
     assert pliant("info", "water.xyz").code == 0
-
-
-def test_chemical_components_are_named(pliant, tmp_path):
-    (tmp_path / "HOH.cif").write_text(
-        "data_HOH\n_chem_comp.id HOH\nloop_\n_chem_comp_atom.comp_id\n"
-        "_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\nHOH O O\nHOH H1 H\n"
-    )
-    ended = pliant("info", "HOH.cif")
-    assert (ended.code, ended.out) == (1, "")
-    assert "no atom_site category: the definition of a chemical component" in ended.err

@@ -65,23 +65,6 @@ def test_a_run_of_the_selected_atoms_says_so(pliant, mixture, tmp_path):
     assert np.array_equal(found, expected)
 
 
-def test_nothing_selected_ends_with_2(pliant, mixture):
-    for command in ("info", "run"):
-        ended = pliant(command, mixture, "--select", "nucleic")
-        assert (ended.code, ended.out) == (2, "")
-        assert ended.err == 'pliant: error: select: selection "nucleic" names no atom\n'
-    ended = pliant("info", mixture, "--select", "resnam ALA")
-    assert ended.code == 2
-    assert "resnam" in ended.err
-
-
-def test_a_graph_has_no_atoms_to_select(pliant, tmp_path):
-    (tmp_path / "g.xml").write_text('<graph><joint id="a" x="0" y="0" z="0"/></graph>')
-    ended = pliant("info", "g.xml", "--select", "all")
-    assert ended.code == 2
-    assert "--select" in ended.err
-
-
 def test_python_selects_the_same(mixture):
     structure = library.read(mixture)
     with pytest.warns(library.PliantWarning, match="1 bond to an atom that is left out vanishes"):
@@ -93,15 +76,3 @@ def test_python_selects_the_same(mixture):
     with pytest.warns(library.PliantWarning):
         summary = library.run(mixture, select="not resname HOH CA", steps=3)
     assert len(summary.state.positions) == 22
-
-
-def test_waters_that_are_pinned_do_not_turn_auto_into_newton(pliant, mixture):
-    plain = json.loads(pliant("run", mixture, "--steps", 5, "--json").out)
-    pinned = json.loads(
-        pliant("run", mixture, "--steps", 5, "--json", "--pin", "resname HOH", "--overwrite").out
-    )
-    assert pinned["technique_used"] == plain["technique_used"] != "newton"
-    bound = json.loads(
-        pliant("run", mixture, "--steps", 5, "--json", "--pin", "name CA", "--overwrite").out
-    )
-    assert bound["technique_used"] == "newton"

@@ -3,7 +3,6 @@
 
 import json
 import random
-import shutil
 import signal
 import subprocess
 
@@ -77,15 +76,6 @@ def test_a_log_that_is_cut_anywhere(tmp_path, whole, log):
         (tmp_path / "o.h5md").unlink()
 
 
-def test_a_flipped_bit_ends_what_counts(tmp_path, whole, log):
-    data = bytearray(log.read_bytes())
-    data[len(data) // 2] ^= 4
-    (tmp_path / "o.log").write_bytes(data)
-    result = json.loads(ran(tmp_path).stdout)
-    assert WALKERS * STEPS - steps_in(log) < result["steps"] < WALKERS * STEPS
-    assert (tmp_path / "o.h5md").read_bytes() == whole
-
-
 @pytest.mark.parametrize("how", [signal.SIGUSR1, signal.SIGTERM, signal.SIGINT])
 def test_a_signal_commits_all_that_is_done(tmp_path, whole, how):
     for _ in range(3):
@@ -137,43 +127,7 @@ def test_other_options(tmp_path, more):
     assert (tmp_path / "o.h5md").read_bytes() == (tmp_path / "whole.h5md").read_bytes()
 
 
-@pytest.mark.parametrize("more", [{"seed": 7}, {"steps": 7}, {"every": 7}])
-def test_the_log_of_another_run_is_refused(tmp_path, log, more):
-    shutil.copy(log, tmp_path / "o.log")
-    ended = ran(tmp_path, more, code=1)
-    text = "o.log: has the commits of another run: give another name, or remove it"
-    assert json.loads(ended.stdout)["error"] == {"kind": "InputError", "text": text}
-    assert (tmp_path / "o.log").read_bytes() == log.read_bytes()
-    assert not (tmp_path / "o.h5md").exists()
-
-
 def test_what_is_no_log_is_refused(tmp_path):
     (tmp_path / "o.log").write_text("something that somebody has written down")
     assert "o.log: is no log of commits" in ran(tmp_path, code=1).stdout
     assert (tmp_path / "o.log").read_text().startswith("something")
-
-
-def test_a_run_whose_log_is_taken_over_goes_on_without(tmp_path, whole):
-    with subprocess.Popen(
-        words_of(AT_ONCE), cwd=tmp_path, stdout=subprocess.PIPE, text=True
-    ) as child:
-        wait_for_commits(child, tmp_path / "o.log", 10)
-        (tmp_path / "o.log").rename(tmp_path / "taken.log")
-        out = child.communicate(timeout=900)[0]
-    assert (child.returncode, out.count("o.log: is gone")) == (0, 1)
-    assert (tmp_path / "o.h5md").read_bytes() == whole
-    (tmp_path / "o.h5md").unlink()
-    (tmp_path / "taken.log").rename(tmp_path / "o.log")
-    ran(tmp_path)
-    assert (tmp_path / "o.h5md").read_bytes() == whole
-
-
-@pytest.mark.parametrize(
-    ("more", "message"),
-    [
-        ({"commits": "c.log", "one_file": False}, "commits: goes with one_file"),
-        ({"commits": "c.log", "commit_seconds": -1}, "must be 0 or more"),
-    ],
-)
-def test_what_does_not_go_together(tmp_path, more, message):
-    assert message in ran(tmp_path, more, code=2).stdout

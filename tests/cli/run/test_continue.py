@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: MIT
 """pliant run --continue: the bits of one run, after its end, Ctrl-C and any kill."""
 
-import os
-import subprocess
-import time
-
 import h5py
-import numpy as np
 import pytest
 from h5md_contents import assert_same_runs
-from interruptions import interrupt_again_and_again
+from interruptions import check_interruptions
 
 
 @pytest.mark.parametrize("options", [[], ["--every", 7], ["--precision", 0.01]])
@@ -19,17 +14,6 @@ def test_two_parts_are_the_whole(pliant, ethanol, tmp_path, options):
     ended = pliant("run", "--continue", "part.h5md", "--steps", 50)
     assert (ended.code, ended.err) == (0, "")
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
-
-
-def test_walkers_go_on_and_begin(pliant, ethanol, tmp_path):
-    pliant("run", ethanol, "-o", "whole.h5md", "--steps", 30, "--walkers", 3)
-    pliant("run", ethanol, "-o", "part.h5md", "--steps", 10, "--walkers", 3)
-    (tmp_path / "part-1.h5md").unlink()  # as if the run had been killed before it began
-    pliant("run", "--continue", "part-2.h5md", "--steps", 20)
-    ended = pliant("run", "--continue", "part.h5md", "--walkers", 3, "--steps", 30)
-    assert (ended.code, ended.err) == (0, "")
-    for walker in range(3):
-        assert_same_runs(tmp_path / f"whole-{walker}.h5md", tmp_path / f"part-{walker}.h5md")
 
 
 def test_a_replay_and_an_ordering_need_no_other_file(pliant, ethanol, tmp_path):
@@ -87,26 +71,10 @@ def test_a_run_that_is_done_has_nothing_to_do(pliant, ethanol, tmp_path):
     assert (tmp_path / "o.h5md").read_bytes() == before
 
 
-def check_interruptions(command, ethanol, tmp_path, times, seed):
-    start = ["run", str(ethanol), *"--steps 40000 --every 3 --topology none --quiet -o".split()]
-    before = time.monotonic()
-    subprocess.run([command, *start, "whole.h5md"], cwd=tmp_path, check=True)
-    seconds = 1.5 * (time.monotonic() - before) / times
-    words = [*start, "left.h5md"]
-
-    def complete(steps):
-        return np.array_equal(steps[:-1], 3 * np.arange(len(steps) - 1))
-
-    interrupt_again_and_again(command, tmp_path, words, times, seconds, seed, complete)
-    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "left.h5md")
-    assert sorted(os.listdir(tmp_path)) == ["ethanol.xyz", "left.h5md", "whole.h5md"]
-
-
-def test_interruptions_leave_no_trace(command, ethanol, tmp_path):
-    check_interruptions(command, ethanol, tmp_path, 10, 1)
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("seed", range(20))
-def test_many_interruptions_leave_no_trace(command, ethanol, tmp_path, seed):
-    check_interruptions(command, ethanol, tmp_path, 25, seed)
+@pytest.mark.parametrize(
+    ("times", "seed"),
+    [(10, 1), *(pytest.param(25, seed, marks=pytest.mark.long) for seed in range(20))],
+)
+def test_interruptions_leave_no_trace(command, ethanol, tmp_path, times, seed):
+    words = ["run", ethanol.name, *"--steps 40000 --every 3 --topology none --quiet".split()]
+    check_interruptions(command, tmp_path, words, 3, times, seed)

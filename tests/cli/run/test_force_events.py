@@ -89,11 +89,6 @@ def test_a_session_is_repeated_bit_by_bit(pliant, session):
     assert (report["steps"], report["frames"], report["technique"]) == (6, 7, "bfs_cycle")
 
 
-def test_every_other_step_is_shown(pliant, session):
-    assert pliant("run", "m.mol", "--forces", "s.txt", "--every", "4").code == 0
-    np.testing.assert_array_equal(frames(session / "m.h5md"), by_hand()[[0, 4, 6]])
-
-
 @pytest.mark.parametrize(
     ("settings", "relative", "length"),
     [

@@ -86,13 +86,6 @@ def test_another_structure_is_refused(pliant, forces, tmp_path):
     assert ended.err.endswith("as of moved.pdb\n")
 
 
-def test_another_number_of_joints_is_refused(pliant, tmp_path):
-    (tmp_path / "f.txt").write_text("pliant-forces 3\njoints 746\nforce 0 1 0 0\nstep\n")
-    ended = pliant("run", PEPTIDE, "--forces", "f.txt")
-    assert ended.code == 1
-    assert "f.txt: was made for another framework: of 746 joints, not 327" in ended.err
-
-
 def test_a_file_without_a_model_is_a_guess(pliant, tmp_path):
     (tmp_path / "s.txt").write_text("pliant-forces 3\nset technique froda\nstep\n")
     run = ("run", PEPTIDE, "--forces", "s.txt", "--dry-run")

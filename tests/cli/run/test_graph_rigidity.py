@@ -50,23 +50,6 @@ def test_json_and_csv_have_each_bar(pliant):
     assert len(table) == 6
 
 
-def test_a_bar_too_many_that_a_position_hides(pliant, tmp_path):
-    """Three parallel cranks of one length: one bar too many, and yet it moves."""
-    joints = "".join(
-        f'<joint id="P{k}" x="{k}" y="0" pinned="true"/><joint id="T{k}" x="{k}" y="1"/>'
-        for k in range(3)
-    )
-    bars = "".join(f'<bar a="P{k}" b="T{k}"/>' for k in range(3))
-    bars += '<bar a="T0" b="T1"/><bar a="T1" b="T2"/><bar a="T0" b="T2"/>'
-    (tmp_path / "cranks.xml").write_text(f'<graph dimension="2">{joints}{bars}</graph>')
-    found = json.loads(pliant("rigidity", "cranks.xml", "--json").out)
-    assert (found["rank"], found["degrees_of_freedom"]) == (5, 1)
-    assert found["at_almost_all_positions"]["degrees_of_freedom"] == 0
-    assert found["by_counting"]["degrees_of_freedom"] == 0
-    assert [part["self_stresses"] for part in found["overconstrained"]] == [1]
-    assert [bar["redundant"] for bar in found["bars"]] == [False] * 3 + [True] * 3
-
-
 def test_rounded_coordinates_are_warned_of(pliant, tmp_path):
     joints = '<joint id="a" x="0" y="0"/><joint id="b" x="1" y="0"/><joint id="c" x="2" y="1e-6"/>'
     bars = '<bar a="a" b="b"/><bar a="b" b="c"/><bar a="a" b="c"/>'

@@ -48,14 +48,6 @@ def test_walkers_have_a_file_each(pliant, ethanol, tmp_path):
     assert [len(models_of(tmp_path / f"w-{k}.pdb")) for k in range(2)] == [3, 3]
 
 
-def test_an_existing_file_stays(pliant, ethanol, tmp_path):
-    (tmp_path / "out.pdb").write_text("mine")
-    ended = pliant("run", ethanol, "--steps", 2, "-o", "out.pdb")
-    assert ended.code == 1 and ended.err.endswith("out.pdb: exists; --overwrite replaces it\n")
-    assert (tmp_path / "out.pdb").read_text() == "mine"
-    assert pliant("run", ethanol, "--steps", 2, "-o", "out.pdb", "--overwrite").code == 0
-
-
 def test_half_a_model_never_bears_the_name(command, ethanol, tmp_path):
     words = [command, "run", ethanol, "--steps", "100000000", "-o", "out.pdb", "--quiet"]
     with subprocess.Popen(words, cwd=tmp_path) as running:

@@ -46,27 +46,6 @@ def test_it_takes_less_room(runs, tmp_path):
     assert sizes[1] < 0.75 * sizes[0]
 
 
-def test_a_run_goes_on_from_what_was_not_rounded(pliant, tmp_path):
-    words = ("run", PEPTIDE, "--perturb", "displacement", "--precision", "1e-2")
-    assert pliant(*words, "-o", "whole.h5md", "--steps", 40).code == 0
-    assert pliant(*words, "-o", "part.h5md", "--steps", 23).code == 0
-    assert pliant("run", "--continue", "part.h5md", "--steps", 40).code == 0
-    whole, part = recorded(tmp_path / "whole.h5md"), recorded(tmp_path / "part.h5md")
-    assert np.array_equal(whole[0], part[0])
-    for name in whole[2]:
-        assert np.array_equal(whole[2][name], part[2][name]), name
-
-
-def test_a_sample_goes_on(pliant, tmp_path):
-    words = ("sample", PEPTIDE, "--precision", "1e-2")
-    assert pliant(*words, "-o", "whole.h5md", "--frames", 9).code == 0
-    assert pliant(*words, "-o", "part.h5md", "--frames", 5).code == 0
-    ended = pliant("sample", "--continue", "part.h5md", "--frames", 9)
-    assert ended.code == 0, ended.err
-    whole, part = recorded(tmp_path / "whole.h5md"), recorded(tmp_path / "part.h5md")
-    assert np.array_equal(whole[0], part[0])
-
-
 @pytest.mark.long
 def test_the_report_and_the_check_allow_for_it(pliant, runs, tmp_path):
     ended = pliant("analyse", "rounded.h5md", "--json")

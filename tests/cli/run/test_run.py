@@ -111,17 +111,6 @@ def test_times_that_are_not_finite_are_refused_before_the_start(pliant, ethanol,
     assert [path.name for path in tmp_path.iterdir()] == [ethanol.name]
 
 
-def test_forces_are_replayed(pliant, ethanol, tmp_path):
-    (tmp_path / "pushes.txt").write_text(
-        "pliant-forces 3\nset timestep 0.005\nset tolerance 1e-6\nset max_sweeps 10000\n"
-        "push 2 100 0 0\npush 0 0 50 0\n"
-    )
-    assert pliant("run", ethanol, "-o", "o.h5md", "--forces", "pushes.txt").code == 0
-    with h5py.File(tmp_path / "o.h5md") as file:
-        assert file["observables/root_joint/value"][:].tolist() == [-1, 2, 0]
-        assert file["particles/trajectory/position/time"][:].tolist() == [0.0, 0.005, 0.01]
-
-
 def test_more_steps_than_pushes_is_refused(pliant, ethanol, tmp_path):
     (tmp_path / "pushes.txt").write_text(
         "pliant-forces 3\nset timestep 0.01\nset tolerance 1e-6\nset max_sweeps 10\n"
@@ -130,34 +119,6 @@ def test_more_steps_than_pushes_is_refused(pliant, ethanol, tmp_path):
     ended = pliant("run", ethanol, "--forces", "pushes.txt", "--steps", 2)
     assert ended.code == 2
     assert "--steps: expected at most 1, the pushes in pushes.txt" in ended.err
-
-
-def test_walkers_do_not_depend_on_threads(pliant, ethanol, tmp_path):
-    for threads in (1, 2):
-        ended = pliant(
-            "run",
-            ethanol,
-            "-o",
-            f"t{threads}.h5md",
-            "--walkers",
-            3,
-            "--threads",
-            threads,
-            "--steps",
-            30,
-            "--topology",
-            "none",
-        )
-        assert ended.code == 0
-    for walker in range(3):
-        one = contents(tmp_path / f"t1-{walker}.h5md")
-        two = contents(tmp_path / f"t2-{walker}.h5md")
-        assert one.keys() == two.keys()
-        for name, values in one.items():
-            np.testing.assert_array_equal(values, two[name], err_msg=name)
-    first = contents(tmp_path / "t1-0.h5md")["particles/trajectory/position/value"]
-    second = contents(tmp_path / "t1-1.h5md")["particles/trajectory/position/value"]
-    assert not np.array_equal(first, second)
 
 
 @pytest.mark.parametrize("technique", ["auto", "bfs_cycle", "random", "shake"])
@@ -204,15 +165,6 @@ def test_interrupt_names_the_files_of_walkers_that_were_begun(command, ethanol, 
     for walker in range(8):
         with h5py.File(tmp_path / f"o-{walker}.h5md") as file:
             assert len(file["particles/trajectory/position/step"]) > 0
-
-
-def test_pinned_atoms_stay(pliant, ethanol, tmp_path):
-    ended = pliant("run", ethanol, "-o", "o.h5md", "--pin", "index 0", "--steps", 20)
-    assert ended.code == 0
-    with h5py.File(tmp_path / "o.h5md") as file:
-        x = file["particles/trajectory/position/value"][:]
-    assert np.ptp(x[:, 0], axis=0).max() == 0
-    assert np.ptp(x[:, 1], axis=0).max() > 0
 
 
 def test_interrupt_leaves_a_readable_file(command, ethanol, tmp_path):
@@ -267,13 +219,6 @@ def test_limits_of_a_bars_file_are_kept_and_recorded(pliant, ethanol, tmp_path):
     with h5py.File(tmp_path / "free.h5md") as file:
         free = distances(file["particles/trajectory/position/value"][:], pairs)
     assert free[:, 0].max() > 4.51 or free[:, 1].min() < 2.49
-
-
-def test_a_bars_file_is_refused_with_its_line(pliant, ethanol, tmp_path):
-    (tmp_path / "bars.txt").write_text(BARS.replace("2.5 inf", "2.5 2"))
-    ended = pliant("run", ethanol, "--bars", "bars.txt")
-    assert (ended.code, ended.out) == (1, "")
-    assert "bars.txt:4: limit: expected a least distance up to the most" in ended.err
 
 
 def test_a_bars_file_is_no_output(pliant, ethanol, tmp_path):
@@ -393,3 +338,37 @@ def test_an_empty_name_is_refused(pliant, ethanol, tmp_path, option):
     assert (ended.code, ended.out) == (2, "")
     assert 'expected the name of a file, found ""' in ended.err
     assert [path.name for path in tmp_path.iterdir()] == ["ethanol.xyz"]
+
+
+@pytest.mark.parametrize("command", ["run", "sample"])
+def test_a_dry_run_makes_nothing(pliant, ethanol, tmp_path, command):
+    before = set(tmp_path.iterdir())
+    ended = pliant(command, ethanol, "--dry-run", "--json")
+    assert (ended.code, ended.out, ended.err) == (0, "", "")
+    assert set(tmp_path.iterdir()) == before
+
+
+@pytest.mark.parametrize(
+    ("command", "words", "code", "message"),
+    [
+        ("run", ("--technique", "shaek"), 2, 'no choice named "shaek"'),
+        ("run", ("--save", "element Q"), 2, "--save"),
+        ("sample", ("--model", "protien"), 2, 'did you mean "protein"?'),
+        ("run", ("--forces", "none.txt"), 1, "none.txt"),
+    ],
+)
+def test_a_dry_run_reports_what_is_bad(pliant, ethanol, command, words, code, message):
+    ended = pliant(command, ethanol, *words, "--dry-run")
+    assert (ended.code, ended.out) == (code, "")
+    assert message in ended.err
+
+
+@pytest.mark.parametrize("command", ["run", "sample"])
+def test_a_run_that_would_go_on_stays_as_it_is(pliant, ethanol, tmp_path, command):
+    more = {"run": ("--steps", 3), "sample": ("--frames", 3)}[command]
+    assert pliant(command, ethanol, "-o", "a.h5md", *more).code == 0
+    before = (tmp_path / "a.h5md").read_bytes()
+    further = (more[0], 9)
+    ended = pliant(command, "--continue", "a.h5md", *further, "--dry-run")
+    assert (ended.code, ended.out) == (0, "")
+    assert (tmp_path / "a.h5md").read_bytes() == before

@@ -19,20 +19,6 @@ def job(pliant, ethanol, tmp_path):
     return run
 
 
-def test_two_shards_are_the_whole(job, tmp_path):
-    options = {"perturb": "displacement", "steps": 12, "every": 5, "technique": "shake"}
-    for folder, shards in (("whole", ["0..11"]), ("parts", ["0..4", "5..11"])):
-        (tmp_path / folder).mkdir()
-        for shard in shards:
-            ended = job(**options, output=f"{folder}/o.h5md", shard=shard)
-            assert ended.code == 0, ended.out
-    names = sorted(path.name for path in (tmp_path / "whole").iterdir())
-    assert names == sorted([f"o-{walker}.h5md" for walker in range(12)] + ["o.pdb"])
-    for name in names:
-        whole, part = (tmp_path / folder / name for folder in ("whole", "parts"))
-        assert whole.read_bytes() == part.read_bytes(), name
-
-
 def test_a_shard_names_its_files_by_the_numbers_of_its_walkers(job, tmp_path):
     ended = job(output="o.h5md", shard="800..801", steps=2)
     assert ended.code == 0

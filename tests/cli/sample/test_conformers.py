@@ -158,23 +158,6 @@ def test_rings_are_named_by_what_they_can_do(pliant, tmp_path):
     assert "rigid units, drawn and closed" in table
 
 
-def test_goes_on_with_the_same_bits(pliant, drug, tmp_path):
-    pliant("sample", drug, "-o", "whole.h5md", "--frames", 9)
-    pliant("sample", drug, "-o", "part.h5md", "--frames", 4)
-    assert pliant("sample", "--continue", "part.h5md", "--frames", 9).code == 0
-    whole, part = (contents(tmp_path / name) for name in ("whole.h5md", "part.h5md"))
-    name = "particles/trajectory/position/value"
-    assert np.array_equal(whole[name], part[name])
-
-
-def test_an_amplitude_is_refused(pliant, drug):
-    ended = pliant("sample", drug, "-o", "out.sdf", *RAW, "--amplitude", 2)
-    assert ended.code == 2
-    assert ended.err.splitlines()[-1] == (
-        "pliant: error: --amplitude: sampler torsions has none: how far torsions turn is drawn"
-    )
-
-
 def test_sdf_takes_no_options_of_h5md(pliant, drug):
     ended = pliant("sample", drug, "-o", "out.sdf", *RAW, "--precision", 0.01)
     assert ended.code == 2
@@ -208,13 +191,3 @@ def test_isotopes_radicals_charges_and_name_are_kept(pliant, tmp_path, version):
             assert [getattr(atom, what)() for atom in record.GetAtoms()] == [
                 getattr(atom, what)() for atom in made.GetAtoms()
             ], what
-
-
-def test_of_a_salt_the_largest_molecule_is_sampled(pliant, tmp_path):
-    made = Chem.AddHs(Chem.MolFromSmiles("CCCC(=O)[O-].[Na+].O"))
-    AllChem.EmbedMolecule(made, randomSeed=1)
-    Chem.MolToMolFile(made, str(tmp_path / "salt.sdf"))
-    ended = pliant("sample", "salt.sdf", "-o", "out.h5md", "--frames", 2)
-    assert ended.code == 0
-    assert "2 by sampler torsions" in ended.out
-    assert ended.err == "note: the largest of 3 molecules is kept: 13 of 17 atoms\n"

@@ -1,37 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""pliant sample --continue: the bits of one sample, after its end, Ctrl-C and any kill."""
+"""pliant sample --continue, and logs of commits: the bits of one sample, after any kill."""
 
 import json
 import os
+import random
+import signal
 import subprocess
-import time
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
-from h5md_contents import assert_same_runs, contents
-from interruptions import interrupt_again_and_again
+from commit_logs import commits_in, stopped, words_of_job
+from ensembles import PEPTIDE as HELIX
+from h5md_contents import contents
+from interruptions import check_interruptions
 
 PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
 COMMON = ["--amplitude", "0.4", "--topology", "none", "--quiet"]
-
-
-@pytest.mark.parametrize(
-    "options",
-    [
-        [],
-        ["--precision", 0.01],
-        ["--sampler", "dilute", "--seed", 18446744073709551615],
-        ["--free-torsions"],
-    ],
-)
-def test_two_parts_are_the_whole(pliant, tmp_path, options):
-    pliant("sample", PEPTIDE, "-o", "whole.h5md", "--frames", 9, *COMMON, *options)
-    pliant("sample", PEPTIDE, "-o", "part.h5md", "--frames", 4, *COMMON, *options)
-    ended = pliant("sample", "--continue", "part.h5md", "--frames", 9, "--threads", 2, "--quiet")
-    assert (ended.code, ended.err) == (0, "")
-    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
 
 
 def test_it_names_the_model_of_the_file(pliant, tmp_path):
@@ -40,16 +25,6 @@ def test_it_names_the_model_of_the_file(pliant, tmp_path):
     assert json.loads(ended.out)["model"] == "molecule"
     ended = pliant("sample", "--continue", "part.h5md", "--frames", 4, "--verbose")
     assert "model           molecule: " in ended.out
-
-
-def test_free_torsions_have_no_preferences(pliant, tmp_path):
-    for name, options in (("held", []), ("free", ["--free-torsions"])):
-        pliant("sample", PEPTIDE, "-o", f"{name}.h5md", "--frames", 2, *COMMON, *options)
-        with h5py.File(tmp_path / f"{name}.h5md") as file:
-            assert ("torsion_preferences" in file["parameters"]) is (name == "held")
-    ended = pliant("sample", PEPTIDE, "--model", "angles", "--free-torsions")
-    assert ended.code == 2
-    assert "--free-torsions: goes with --model molecule or --model protein" in ended.err
 
 
 def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
@@ -65,7 +40,6 @@ def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--seed", 5], "--seed: is 0 in the run of o.h5md, not 5; a run goes on as it began"),
         (["--amplitude", 1], "--amplitude: is 0.4 in the run of o.h5md, not 1; "
                              "a run goes on as it began"),
         (["--sampler", "turns"], "--sampler: is modes in the run of o.h5md, not turns; "
@@ -74,12 +48,8 @@ def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
                                 "a run goes on as it began"),
         (["--assembly", 1], "--assembly: is none in the run of o.h5md, not 1; "
                             "a run goes on as it began"),
-        (["--overwrite"], "--overwrite: does not go with --continue, which adds to o.h5md"),
         (["--frames", 2], "--frames 2: o.h5md has 3 frames already; "
                           "frames are counted from the start of the sample"),
-        (["other.pdb"], "FILE: is cyclic_hexapeptide.pdb in the run of o.h5md, not other.pdb; "
-                        "a run goes on as it began"),
-        (["-o", "p.h5md"], "--output p.h5md: --continue adds to o.h5md itself"),
     ],
 )  # fmt: skip  # a table: a row a line
 def test_what_contradicts_the_file_is_refused(pliant, tmp_path, words, message):
@@ -120,15 +90,6 @@ def test_what_was_ended_before_its_first_frame_is_named(pliant, tmp_path, comman
     )
 
 
-def test_a_file_without_nodes_is_reported(pliant, tmp_path):
-    pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 2, *COMMON)
-    with h5py.File(tmp_path / "o.h5md", "r+") as file:
-        del file["parameters/checkpoint"]
-    ended = pliant("sample", "--continue", "o.h5md", "--frames", 9)
-    assert ended.code == 1
-    assert ended.err.startswith("pliant: error: o.h5md: has no checkpoint")
-
-
 def test_a_sample_that_is_done_has_nothing_to_do(pliant, tmp_path):
     pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 3, *COMMON)
     before = (tmp_path / "o.h5md").read_bytes()
@@ -138,45 +99,13 @@ def test_a_sample_that_is_done_has_nothing_to_do(pliant, tmp_path):
     assert (tmp_path / "o.h5md").read_bytes() == before
 
 
-def test_frames_that_come_out_otherwise_are_not_added_to(pliant, tmp_path):
-    """As if another version of Pliant, whose bits are others, had written the file."""
-    pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 3, *COMMON)
-    with h5py.File(tmp_path / "o.h5md", "r+") as file:
-        file["particles/trajectory/position/value"][-1, 0, 0] += 1e-9
-    before = contents(tmp_path / "o.h5md")["particles/trajectory/position/value"]
-    ended = pliant("sample", "--continue", "o.h5md", "--frames", 5, "--quiet")
-    assert (ended.code, ended.err) == (
-        1,
-        f"pliant: error: {tmp_path}/o.h5md: the frame of step 2 is not what the run gives now: "
-        "it was written by another version of Pliant\n",
-    )
-    after = contents(tmp_path / "o.h5md")["particles/trajectory/position/value"]
-    assert np.array_equal(before, after)
-
-
-def check_interruptions(command, tmp_path, times, seed):
-    start = ["sample", str(PEPTIDE), "--frames", "250", "--threads", "1", *COMMON, "-o"]
-    before = time.monotonic()
-    subprocess.run([command, *start, "whole.h5md"], cwd=tmp_path, check=True)
-    seconds = 1.5 * (time.monotonic() - before) / times
-    words = [*start, "left.h5md"]
-
-    def complete(steps):
-        return np.array_equal(steps, np.arange(len(steps)))
-
-    interrupt_again_and_again(command, tmp_path, words, times, seconds, seed, complete)
-    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "left.h5md")
-    assert sorted(os.listdir(tmp_path)) == ["left.h5md", "whole.h5md"]
-
-
-def test_interruptions_leave_no_trace(command, tmp_path):
-    check_interruptions(command, tmp_path, 8, 1)
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("seed", range(10))
-def test_many_interruptions_leave_no_trace(command, tmp_path, seed):
-    check_interruptions(command, tmp_path, 25, seed)
+@pytest.mark.parametrize(
+    ("times", "seed"),
+    [(8, 1), *(pytest.param(25, seed, marks=pytest.mark.long) for seed in range(10))],
+)
+def test_interruptions_leave_no_trace(command, tmp_path, times, seed):
+    words = ["sample", str(PEPTIDE), "--frames", "250", "--threads", "1", *COMMON]
+    check_interruptions(command, tmp_path, words, 1, times, seed)
 
 
 def test_redraws_and_contacts_are_recorded(pliant, tmp_path):
@@ -213,3 +142,28 @@ def test_redraws_and_contacts_are_recorded(pliant, tmp_path):
         for c, group in enumerate(dict.fromkeys(groups.tolist())):
             is_out = out[:, groups == group].any(axis=1)
             assert (states[is_out, c] == 2).all()  # what is out of its interval is switched off
+
+
+FRAMES, FIRST = 400, 20
+SAMPLE = {"input": HELIX, "first_frame": FIRST, "frames": FRAMES, "threads": 1}
+
+
+def words_of(**more):
+    return words_of_job("sample", SAMPLE | {"topology": "none"} | more)
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGUSR1])
+def test_stopped_after_any_number_of_commits(tmp_path, how):
+    draw = random.Random(how)
+    words = words_of(output="whole.h5md", commits="whole.log")
+    subprocess.run(words, cwd=tmp_path, check=True, stdout=subprocess.DEVNULL)
+    words = words_of(output="o.h5md", commits="o.log", commit_seconds=0)
+    for _ in range(4):
+        assert stopped(words, tmp_path, draw.randrange(1, 60), how) in (-how, 130)
+    done = commits_in(tmp_path / "o.log")[-1].step + 1 - FIRST
+    assert 0 < done < FRAMES
+    words = words_of(output="o.h5md", commits="o.log")
+    ended = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert json.loads(ended.stdout)["frames"] == FRAMES - done
+    assert (tmp_path / "o.h5md").read_bytes() == (tmp_path / "whole.h5md").read_bytes()
+    assert not list(tmp_path.glob("*.log"))

@@ -3,9 +3,6 @@
 
 import gzip
 import json
-import signal
-import subprocess
-import time
 from pathlib import Path
 
 import h5py
@@ -95,20 +92,6 @@ def test_what_exists_is_not_replaced(pliant, tmp_path):
     assert (tmp_path / "out.h5md").read_text() == "mine"
 
 
-@pytest.mark.parametrize(
-    ("option", "value", "text"),
-    [
-        ("--sampler", "mode", "--sampler"),
-        ("--amplitude", "0", "--amplitude"),
-        ("--frames", "0", "--frames"),
-    ],
-)
-def test_bad_options_end_with_2(pliant, option, value, text):
-    ended = pliant("sample", PEPTIDE, option, value)
-    assert ended.code == 2
-    assert text in ended.err
-
-
 def test_disulphides_close_without_a_last_move(pliant, tmp_path):
     """Three bridges tie BPTI into loops; their bonds, by numpy, are those of the file."""
     data = pytest.importorskip("MDAnalysisTests.datafiles")
@@ -129,21 +112,6 @@ def test_disulphides_close_without_a_last_move(pliant, tmp_path):
     bridges = np.triu((lengths < 2.3).all(axis=0), 1)
     assert bridges.sum() == 3
     assert np.ptp(lengths[:, bridges], axis=0).max() < 1e-10
-
-
-def test_ctrl_c_leaves_a_readable_file(command, tmp_path):
-    run = subprocess.Popen(
-        [command, "sample", PEPTIDE, "-o", "long.h5md", "--frames", "10000000", "--quiet"],
-        cwd=tmp_path,
-        stderr=subprocess.PIPE,
-    )
-    while not (tmp_path / "long.h5md").exists() and run.poll() is None:
-        time.sleep(0.05)
-    time.sleep(0.5)
-    run.send_signal(signal.SIGINT)
-    assert run.wait(900) == 130, run.stderr.read()
-    with h5py.File(tmp_path / "long.h5md") as file:
-        assert np.isfinite(file["particles/trajectory/position/value"][:]).all()
 
 
 def test_one_residue_is_refused_and_loose_atoms_have_no_worst_bar(pliant, tmp_path):

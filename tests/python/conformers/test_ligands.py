@@ -127,11 +127,6 @@ def test_conformers_of_a_file(name, alanine, tmp_path):
     assert np.array_equal(of_structure.positions, stated.positions)
 
 
-def test_charges_of_a_file_are_taken(tmp_path):
-    path = written(embedded("C[C@H]([NH3+])C(=O)[O-]"), tmp_path / "x.pdb", orders=False)
-    assert subject(path).warnings == [ORDERS_GUESSED]
-
-
 def test_charges_follow_from_stated_orders(tmp_path):
     path = written(embedded("C[C@H]([NH3+])C(=O)[O-]"), tmp_path / "x.pdb")
     path.write_text(re.sub(r"(?m)^(HETATM.{72}).*", r"\1", path.read_text()))
@@ -199,16 +194,6 @@ def test_a_hydrogen_that_carbon_lacks_is_no_other_molecule(smiles, tmp_path):
         assert canonical(subject(path, smiles).molecule) == smiles
 
 
-def test_hydrogens_that_a_file_lacks_are_named(alanine, tmp_path):
-    part = Chem.RWMol(alanine)
-    part.RemoveAtom(6)
-    made = subject(written(part.GetMol(), tmp_path / "x.pdb"), "CC(N)C(=O)O")
-    assert made.warnings == ["1 missing hydrogen was added: 1 to C1"]
-    assert made.structure.positions[:12] == pytest.approx(
-        part.GetConformer().GetPositions(), abs=1e-3
-    )
-
-
 @pytest.mark.parametrize(
     ("smiles", "what"),
     [
@@ -234,14 +219,6 @@ def test_the_smiles_of_the_other_double_bond_is_refused(tmp_path):
         "(without stereo in the SMILES, the file's is kept)"
     )
     assert canonical(subject(path, "OC(=O)C=CCF").molecule) == "O=C(O)/C=C/CF"
-
-
-def test_what_is_no_smiles_is_told(alanine, tmp_path):
-    path = written(alanine, tmp_path / "x.pdb")
-    for smiles in ("C(", ""):
-        with pytest.raises(pliant.InputError) as caught:
-            subject(path, smiles)
-        assert str(caught.value) == f"SMILES '{smiles}': expected a molecule, RDKit cannot read it"
 
 
 def test_the_largest_molecule_of_a_file_is_kept(alanine, tmp_path):
@@ -284,15 +261,6 @@ def test_a_metal_has_no_bond_orders(tmp_path):
     lines = [*(atom.format(*one) for one in atoms), "CONECT    1    2    3\n"]
     (tmp_path / "x.pdb").write_text("".join(lines))
     assert refused(tmp_path / "x.pdb") == "RDKit finds no bond orders at the metal Zn"
-
-
-@pytest.mark.parametrize("molecule", ["CC", Chem.MolFromSmiles("CC"), "x.sdf"])
-def test_a_smiles_is_for_a_ligand(molecule):
-    with pytest.raises(pliant.OptionError) as caught:
-        pliant.conformers(molecule, smiles="CC")
-    assert str(caught.value) == (
-        "smiles: goes with a PDB, mmCIF or XYZ file of one ligand, or a Structure"
-    )
 
 
 DIPEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "alanine_dipeptide.pdb"
@@ -340,11 +308,13 @@ def test_another_frame_of_a_file_is_taken(tmp_path):
 
 
 @pytest.mark.parametrize("molecule", ["CCO", Chem.MolFromSmiles("CCO"), "lost.sdf"])
-def test_what_only_a_ligand_has_is_refused_before_anything_is_read(molecule):
+@pytest.mark.parametrize("given", [{"select": "name C1"}, {"smiles": "CC"}], ids=str)
+def test_what_only_a_ligand_has_is_refused_before_anything_is_read(molecule, given):
     with pytest.raises(pliant.OptionError) as error:
-        pliant.conformers(molecule, select="name C1")
+        pliant.conformers(molecule, **given)
+    (name,) = given
     assert str(error.value) == (
-        "select: goes with a PDB, mmCIF or XYZ file of one ligand, or a Structure"
+        f"{name}: goes with a PDB, mmCIF or XYZ file of one ligand, or a Structure"
     )
 
 

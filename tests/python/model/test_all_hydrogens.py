@@ -2,7 +2,6 @@
 """Hydrogens on carbon placed by rule, and how few of them run into others in frames."""
 
 from collections import Counter
-from pathlib import Path
 
 import expected_warnings
 import numpy as np
@@ -12,8 +11,6 @@ import pliant
 
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 Clashes = pytest.importorskip("pliant.measure.clashscore").Clashes
-
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 
 
 def without(structure, out):
@@ -98,52 +95,6 @@ def neighbours(structure):
             if structure.elements[one] == 1 and structure.elements[other] == 6:
                 found[int(other)].append(int(one))
     return found
-
-
-def test_bonds_have_ideal_lengths_and_methyls_are_staggered():
-    structure = pliant.read(PEPTIDE)
-    structure.perceive_bonds()
-    bare = without(structure, on_carbon(structure))
-    made = pliant.prepare(bare, all_hydrogens=True).structure
-    x = made.positions
-    for carbon, hydrogens in neighbours(made).items():
-        length = np.linalg.norm(x[hydrogens] - x[carbon], axis=1)
-        assert np.all((np.abs(length - 1.09) < 1e-9) | (np.abs(length - 1.08) < 1e-9))
-    beta = np.flatnonzero((made.names == "CB") & (made.residue_names == "ALA"))[0]
-    residue = made.residue_of == made.residue_of[beta]
-    n = np.flatnonzero(residue & (made.names == "N"))[0]
-    alpha = np.flatnonzero(residue & (made.names == "CA"))[0]
-    angles = [torsion(x[n], x[alpha], x[beta], x[h]) for h in neighbours(made)[beta]]
-    assert sorted(round(abs(a)) for a in angles) == [60, 60, 180]
-
-
-def torsion(a, b, c, d):
-    first, second = np.cross(b - a, c - b), np.cross(c - b, d - c)
-    along = (c - b) / np.linalg.norm(c - b)
-    return np.degrees(np.arctan2(np.dot(np.cross(first, second), along), np.dot(first, second)))
-
-
-def test_what_has_hydrogens_keeps_them(kinase):
-    made = pliant.prepare(kinase, all_hydrogens=True)
-    assert len(made.structure) == len(kinase)
-    assert "hydrogens on carbon: none was missing" in made.steps
-
-
-def test_the_sugar_and_bases_of_nucleotides(tmp_path):
-    """1BNA-like: counted by hand for DA and for A of RNA."""
-    dna = "C1':1 C2':2 C3':1 C4':1 C5':2 C2:1 C8:1"
-    universe = pytest.importorskip("MDAnalysis").Universe(MDA.RNA_PSF, MDA.RNA_PDB)
-    part = universe.select_atoms("nucleic and resname ADE")[:0]
-    residue = universe.select_atoms("nucleic and resname ADE").residues[1]
-    part = residue.atoms
-    path = tmp_path / "ade.pdb"
-    part.write(path)
-    structure = expected_warnings.read_without_elements(path)
-    structure.perceive_bonds()
-    bare = without(structure, on_carbon(structure))
-    made = pliant.prepare(bare, all_hydrogens=True).structure
-    expected = {word.split(":")[0]: int(word[-1]) for word in dna.split()} | {"C2'": 1}  # has O2'
-    assert {name: count for (_, name), count in counts(made).items()} == expected
 
 
 def test_frames_have_no_more_clashes_than_the_start(kinase):

@@ -89,12 +89,6 @@ def test_models_and_rigidity_take_more_kinds(inhibitor):
         pliant.rigidity(model, more_contacts=["cation_pi"])
 
 
-@pytest.mark.parametrize("take", [pliant.contacts, pliant.build_model, pliant.rigidity])
-def test_an_unknown_kind_is_refused(inhibitor, take):
-    with pytest.raises(pliant.OptionError, match=r"known: hydrogen_bond, .*cation_pi"):
-        take(inhibitor, more_contacts=["pi_pi"])
-
-
 def test_the_table_says_what_each_kind_is():
     rows = {row.name: row for row in pliant.contact_kinds()}
     assert {name for name, row in rows.items() if row.has_hydrogen} == {

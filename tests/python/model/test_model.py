@@ -49,29 +49,6 @@ def test_hydrogens_lie_where_another_program_has_them(adk, stripped):
     assert np.mean(apart < 0.3) > 0.98
 
 
-def test_placed_hydrogens_have_the_bonds_of_their_origin(stripped):
-    ready = pliant.prepare(stripped)
-    placed = np.flatnonzero(ready.origin < 0)
-    assert len(placed) == len(ready.structure) - len(stripped)
-    bonds = ready.structure.bonds
-    lengths = {1: [], 7: [], 8: [], 16: []}
-    for atom in placed:
-        (row,) = bonds[(bonds == atom).any(axis=1)]
-        parent = row[0] if row[1] == atom else row[1]
-        difference = ready.structure.positions[atom] - ready.structure.positions[parent]
-        lengths[int(ready.structure.elements[parent])].append(np.linalg.norm(difference))
-    assert not lengths[1]
-    for element, expected in ((7, 1.01), (8, 0.96), (16, 1.34)):
-        np.testing.assert_allclose(lengths[element], expected, atol=1e-12)
-
-
-def test_hydrogens_of_the_file_stay(adk):
-    ready = pliant.prepare(adk)
-    np.testing.assert_array_equal(ready.structure.positions, adk.positions)
-    np.testing.assert_array_equal(ready.origin, np.arange(len(adk)))
-    assert ready.steps[0] == "hydrogens of the file kept"
-
-
 def test_preparation_gives_the_same_bits(stripped):
     one, other = pliant.prepare(stripped), pliant.prepare(stripped)
     np.testing.assert_array_equal(one.structure.positions, other.structure.positions)

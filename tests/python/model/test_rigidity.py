@@ -92,20 +92,3 @@ def test_a_model_is_taken_as_it_is(structure, found):
     none = pliant.rigidity(model, contacts=model.contacts[:0])
     assert none.redundant < found.redundant
     assert none.degrees_of_freedom > found.degrees_of_freedom
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"hbond_bars": 0}, "hbond_bars = 0: must be from 1"),
-        ({"tether_bars": 7}, "tether_bars = 7: must be at most 6"),
-    ],
-)
-def test_bars_out_of_range(structure, arguments, message):
-    with pytest.raises(pliant.OptionError, match=message):
-        pliant.rigidity(structure, **arguments)
-
-
-def test_no_structure():
-    with pytest.raises(TypeError, match="molecule = 3: must be a Structure, a path"):
-        pliant.rigidity(3)

@@ -101,17 +101,6 @@ def test_clusters_of_random_molecules_are_rigid_in_their_squares():
         assert np.abs(apart).max(initial=0.0) < 1e-8, f"seed {seed}"
 
 
-def test_the_double_banana_is_where_counting_bars_fails():
-    """18 bars for 8 joints, as many as rigid ones need, and yet it turns about its tips."""
-    example = next(one for one in pliant.examples() if one.name == "double_banana_generic")
-    banana = networkx.Graph(example.framework.bars.tolist())
-    assert banana.number_of_edges() == 3 * banana.number_of_nodes() - 6
-    ordered = networkx.Graph()
-    ordered.add_nodes_from(sorted(banana.nodes))
-    ordered.add_edges_from(banana.edges)
-    assert freedoms_of_bars(ordered) == 1
-
-
 @pytest.mark.parametrize("seed", range(4))
 def test_pyrigi_counts_the_same(seed):
     """Where it is installed: it needs Python 3.11."""
@@ -120,11 +109,3 @@ def test_pyrigi_counts_the_same(seed):
     squared = pyrigi.Graph(square(graph).edges)
     framework = pyrigi.Framework.Random(squared, dim=3)
     assert freedoms(graph) == len(framework.nontrivial_inf_flexes(numerical=True))
-
-
-def test_pyrigi_finds_the_double_banana_flexible():
-    graphs = pytest.importorskip("pyrigi.graphDB")
-    banana = graphs.DoubleBanana()
-    example = next(one for one in pliant.examples() if one.name == "double_banana_generic")
-    assert networkx.is_isomorphic(banana, networkx.Graph(example.framework.bars.tolist()))
-    assert not banana.is_rigid(dim=3, algorithm="randomized")

@@ -202,12 +202,6 @@ def test_what_cannot_be_built_is_left_and_reported(tmp_path):
     assert [line for line in prepared.missing if "LYS13" in line and "ARG36" in line]
 
 
-def test_twice_the_same(tmp_path):
-    part = without(tmp_path, lambda _, __, name: name not in BACKBONE)
-    one, other = (filled(part).structure.positions for _ in range(2))
-    assert np.array_equal(one, other)
-
-
 def test_ensembles_of_what_was_built(tmp_path):
     part = without(tmp_path, lambda _, __, name: name not in BACKBONE)
     with pytest.warns(pliant.PliantWarning):

@@ -49,12 +49,3 @@ def test_bonds_equal_the_topologys(name, compared):
         theirs.add((min(int(a), int(b)), max(int(a), int(b))))
     assert len(theirs) > 100
     assert bond_tool.differences(answer["labels"], answer["pairs"], theirs) == []
-
-
-def test_a_molecule_cut_by_the_box_is_made_whole_and_said_once(compared):
-    _, answer = compared["adk in a box that cuts it"]
-    (said,) = [message for message in answer["messages"] if "periodic" in message]
-    assert said.endswith(
-        ": 1 molecule cut by the periodic cell made whole (X:MET1:N to X:GLY214:O2): 361 atoms "
-        "moved by edges of the cell"
-    )

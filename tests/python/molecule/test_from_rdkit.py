@@ -84,11 +84,3 @@ def test_residues_of_a_pdb_file():
     molecule.SetProp("_Name", "half a residue")
     with pytest.warns(pliant.PliantWarning):
         assert pliant.from_rdkit(molecule).title == "half a residue"
-
-
-def test_runs_whole():
-    structure = pliant.from_rdkit(embedded("c1ccccc1CC2CCCCC2"))
-    assert structure.framework().graph_facts().blocks == 2
-    summary = pliant.run(structure, steps=20)
-    assert summary.converged
-    assert summary.worst_residual <= 1e-6

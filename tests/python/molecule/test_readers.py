@@ -13,8 +13,6 @@ import pytest
 import read_by_others
 from support_program import ROOT
 
-import pliant
-
 pytest.importorskip("gemmi")
 pytest.importorskip("openmm")
 pytest.importorskip("MDAnalysisTests")
@@ -201,12 +199,6 @@ def test_what_gemmi_refuses(name):
         read_by_others.gemmis(FILES[name])
 
 
-@pytest.mark.parametrize("name", REFUSED)
-def test_what_pliant_refuses(name):
-    with pytest.raises(pliant.InputError, match="is a tar archive: expected one file of it"):
-        pliant.read(MDA / name)
-
-
 MOLECULES = sorted((ROOT / "data/molecules").iterdir())
 
 
@@ -233,13 +225,3 @@ def test_xyz_molecules_of_data_are_those_of_mdanalysis(path):
 def test_pdb_and_mmcif_molecules_of_data_are_gemmis_and_those_of_mdanalysis(path):
     assert_same(path, read_by_others.gemmis(path), {})
     assert_same(path, read_by_others.mdanalysis(path), {}, single=True)
-
-
-def test_the_sidecar_of_an_xyz_molecule_is_read_without_a_word(tmp_path, recwarn):
-    molecule = pliant.read(ROOT / "data/molecules/cubane.xyz")
-    assert len(set(molecule.names.tolist())) == 2
-    pliant.write_topology_pdb(tmp_path / "cubane.pdb", molecule)
-    again = pliant.read(tmp_path / "cubane.pdb")
-    assert [str(warning.message) for warning in recwarn] == []
-    assert again.names.tolist() == molecule.names.tolist()
-    assert again.bonds.tolist() == molecule.bonds.tolist()

@@ -368,15 +368,3 @@ def test_a_file_of_nothing_but_dummy_atoms_is_refused():
     message = r"d\.pdb: holds nothing but dummy atoms \(residues DUM\)"
     with pytest.raises(pliant.InputError, match=message):
         pliant.read_text("\n".join([*DUMMIES, "END\n"]), "d.pdb")
-
-
-def test_more_bonds_than_an_element_has_are_told():
-    places = [(0, 0, 0), (1.09, 0, 0), (-1.09, 0, 0), (0, 1.09, 0), (0, -1.09, 0), (0, 0, 1.09)]
-    names = ("C1", "H1", "H2", "H3", "H4", "H5")
-    lines = [
-        f"HETATM{k:5d} {name:<4} LIG A   1    {x:8.3f}{y:8.3f}{z:8.3f}{'':22}{name[0]:>2}"
-        for k, (name, (x, y, z)) in enumerate(zip(names, places, strict=True), 1)
-    ]
-    text = "\n".join([*lines, "CONECT    1    2    3    4    5", "CONECT    1    6", ""])
-    with pytest.warns(pliant.PliantWarning, match=r"1 atom \(first: C1\(1\)\) with more bonds"):
-        pliant.read_text(text)

@@ -2,7 +2,6 @@
 """Structure: from columns and from files, its views, bonds and framework."""
 
 import gc
-import gzip
 import logging
 import warnings
 
@@ -148,12 +147,6 @@ def test_reads_a_file(tmp_path):
         (2, 4): "link",
         (4, 5): "residue",
     }
-
-
-def test_reads_gzipped_files_given_as_text(tmp_path):
-    path = tmp_path / "water.xyz.gz"
-    path.write_bytes(gzip.compress(WATER.encode()))
-    assert pliant.read(str(path)).bonds.tolist() == [[0, 1], [0, 2]]
 
 
 def test_bonds_may_be_left_to_the_caller():

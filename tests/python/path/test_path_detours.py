@@ -92,33 +92,10 @@ def test_a_way_round_is_one_way(hairpin):
     assert np.sqrt(np.mean(moves**2, axis=1)).max() < 2.5
 
 
-def test_seeds_tell_detours_apart(hairpin):
-    one, same, other = (pliant.path(*hairpin, backtrack=10, seed=s).positions for s in (0, 0, 1))
-    assert np.array_equal(one, same)
-    assert one.shape != other.shape or not np.array_equal(one, other)
-
-
 def test_what_arrives_makes_no_detour():
     plain, ready = pliant.path(OPEN, CLOSED), pliant.path(OPEN, CLOSED, backtrack=10)
     assert ready.attempts == 0
     assert np.array_equal(plain.positions, ready.positions)
-
-
-@pytest.mark.parametrize(("start", "end"), [(OPEN, CLOSED), (CLOSED, OPEN)])
-def test_both_ends_meet(start, end):
-    path = pliant.path(start, end, both=True)
-    assert path.arrived
-    assert path.frames[0].from_start == pytest.approx(0, abs=1e-9)
-    notes = [note for note in path.notes if note.startswith("the two ends met, ")]
-    assert len(notes) == 1
-    assert_exact(path)
-    assert np.array_equal(path.model.structure.names, pliant.path(start, end).model.structure.names)
-
-
-def test_the_same_ends_have_met(hairpin):
-    path = pliant.path(hairpin[0], hairpin[0], both=True)
-    assert path.arrived
-    assert len(path.frames) == 1
 
 
 def test_the_tightest_places_are_named():
@@ -154,13 +131,6 @@ def test_the_command_goes_back(hairpin, tmp_path, monkeypatch, capsys):
     assert set(report["frames"][0]) >= {"to_end", "lost", "made", "overlap", "tightest"}
     assert main([*words, "--overwrite", "--both"]) in (0, 3)
     assert "the two ends " in capsys.readouterr().err
-
-
-def test_what_makes_no_sense_is_refused(hairpin):
-    with pytest.raises(pliant.OptionError, match="backtrack = -1: must be from 0"):
-        pliant.path(*hairpin, backtrack=-1)
-    with pytest.raises(pliant.OptionError, match="seed = -1: must be a whole number from 0"):
-        pliant.path(*hairpin, seed=-1)
 
 
 def test_an_analysis_knows_a_path(hairpin, tmp_path):

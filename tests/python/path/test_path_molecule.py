@@ -97,16 +97,6 @@ def test_files_say_it_as_those_of_samples_do(tmp_path):
     assert path["path/end"] == PEPTIDE.name
 
 
-def test_what_a_model_has_no_use_for_is_refused(capsys):
-    text = 'contacts: goes with model="protein", not "molecule"'
-    with pytest.raises(pliant.OptionError) as error:
-        pliant.path(PEPTIDE, PEPTIDE, model="molecule", contacts="c.csv")
-    assert str(error.value) == text
-    words = [str(PEPTIDE), "end.pdb", "-o", "p.h5md", "--model", "molecule", "--contacts", "c.csv"]
-    assert main(words) == 2
-    assert capsys.readouterr().err == f"pliant path: error: {text}\n"
-
-
 def test_the_end_has_an_assembly_but_no_selection_or_frame(tmp_path):
     options = PathOptions(select="resid 1-10", frame=2)
     two = tmp_path / "two.pdb"

@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: MIT
 """What the last tagged version promised is there: Python, C++, command line and files."""
 
+import warnings
+
 import interface
 import listed_cpp
 import listed_python
 import pytest
+from pliant.base.deprecated import warn_deprecated
 from project import Project
 from small_project import commit, in_git
+
+import pliant
 
 #: what each part has at least, so that a comparison of nothing is found
 FEWEST = {"python": 50, "cpp": 200, "commands": 100, "files": 150}
@@ -145,3 +150,23 @@ def test_data_of_a_type_is_one_line_and_each_function_another():
         "Box::Vec3 middle() const",
         "Box::explicit Box(double s)",
     ]
+
+
+def old_name():
+    warn_deprecated("old_name", "1.1", "new_name")
+    return 3
+
+
+def test_what_is_deprecated_names_what_to_use_at_the_line_that_calls_it():
+    with pytest.warns(pliant.PliantDeprecationWarning) as caught:
+        assert old_name() == 3
+    (one,) = caught
+    assert str(one.message) == "old_name is deprecated since 1.1: use new_name"
+    assert one.filename == __file__
+
+
+def test_what_is_deprecated_can_be_made_an_error():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", pliant.PliantDeprecationWarning)
+        with pytest.raises(pliant.PliantDeprecationWarning):
+            old_name()

@@ -55,25 +55,6 @@ def test_a_vectorised_sweep_resolves_caffeine():
     assert pliant.measure_bars(framework, positions).max_relative <= 1e-6
 
 
-def test_it_is_given_up_by_our_own_measure():
-    positions = pushed()
-    before = positions.copy()
-    summary = pliant.resolve(RING.framework, positions, lambda *_: None, max_sweeps=7)
-    assert summary.stop == pliant.Stop.max_sweeps
-    assert summary.sweeps == 7
-    np.testing.assert_array_equal(positions, before)
-
-
-def test_what_is_not_finite_is_put_back():
-    def spoil(positions, sweep, framework):
-        positions[0] = np.nan
-
-    positions = pushed()
-    before = positions.copy()
-    assert pliant.resolve(RING.framework, positions, spoil).stop == pliant.Stop.not_finite
-    np.testing.assert_array_equal(positions, before)
-
-
 @pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 @pytest.mark.parametrize(
     "call",

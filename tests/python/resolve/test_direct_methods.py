@@ -129,12 +129,6 @@ def test_newton_is_as_near_as_scipy_finds():
     assert 0.5 * masses @ (x - broken).ravel() ** 2 <= found.fun * (1 + 1e-9)
 
 
-def test_a_reference_of_another_size_is_refused():
-    framework, whole = molecule("caffeine.sdf")
-    with pytest.raises(pliant.OptionError, match=r"^reference: 3 positions for \d+ joints$"):
-        pliant.resolve(framework, whole.copy(), "shake", reference=whole[:3])
-
-
 @pytest.mark.parametrize("technique", ["blocks", "newton", "shake"])
 @pytest.mark.parametrize("name", ["benzene.sdf", "caffeine.sdf", "peptide_20.pdb"])
 def test_redundant_bars_of_angles_are_made_whole_without_sweeps(name, technique):

@@ -130,38 +130,6 @@ def test_within_goes_by_the_tolerances_of_limits_and_overlaps(stated):
     ).within
 
 
-@pytest.mark.parametrize("technique", ["auto", "bfs_cycle", "random"])
-def test_resolve_ends_within_the_tolerances(stated, technique):
-    structure, framework = stated
-    for tolerances in ({}, {"tolerance_limit": 1e-4, "tolerance_overlap": 1e-3}):
-        positions = np.array(structure.positions)
-        done = pliant.resolve(framework, positions, technique, **tolerances)
-        assert done.converged
-        assert done.max_limit <= tolerances.get("tolerance_limit", 0.01)
-        assert done.max_overlap <= tolerances.get("tolerance_overlap", 0.1)
-        assert max(overlaps(positions).values()) <= tolerances.get("tolerance_overlap", 0.1)
-        assert excess(framework.limits, positions).max() <= tolerances.get("tolerance_limit", 0.01)
-
-
-@pytest.mark.filterwarnings("ignore:the start misses")
-def test_a_run_keeps_limits_and_records_its_tolerances(stated, tmp_path):
-    structure, framework = stated
-    worst = []
-
-    def look(frame):
-        worst.append(excess(framework.limits, np.array(frame.positions)).max())
-
-    options = {"steps": 100, "tolerance_limit": 0.001, "observers": [look]}
-    done = pliant.run(structure, output=tmp_path / "o.h5md", bars=tmp_path / "bars.txt", **options)
-    assert done.converged
-    assert len(worst) == 101
-    assert max(worst) <= 0.001
-    parameters = pliant.H5mdReader(tmp_path / "o.h5md").parameters()
-    assert parameters["run/tolerance_limit"] == 0.001
-    assert parameters["run/tolerance_overlap"] == 0.1
-    assert parameters["input/bars"] == "bars.txt"
-
-
 @pytest.mark.parametrize("name", ["tolerance_limit", "tolerance_overlap"])
 def test_tolerances_have_a_range(name):
     framework = framework_with_limits()
@@ -169,19 +137,6 @@ def test_tolerances_have_a_range(name):
         pliant.Resolver(framework, **{name: 0.0})
     with pytest.raises(pliant.OptionError, match=name):
         pliant.run(framework, np.zeros((5, 3)), **{name: -1.0})
-
-
-def test_sterics_are_recorded_and_read_back(stated, tmp_path):
-    structure, framework = stated
-    with pliant.H5mdRecorder(tmp_path / "s.h5md", framework, structure=structure) as recorder:
-        recorder.record(pliant.Frame(0, 0.0, structure.positions))
-    again = pliant.H5mdReader(tmp_path / "s.h5md").framework()
-    assert again.has_sterics
-    positions = np.array(structure.positions) * 0.5
-    found = pliant.measure_bars(again, positions)
-    expected = pliant.measure_bars(framework, positions)
-    assert found.max_overlap == expected.max_overlap > 0
-    assert found.worst_overlap == expected.worst_overlap
 
 
 def test_sterics_from_python_are_those_of_the_bars_file(stated):

@@ -7,7 +7,6 @@ import warnings
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 import pliant
@@ -18,38 +17,9 @@ STEPS, SWEEPS = 10, 3000
 NAMES = [row.name for row in pliant.techniques()]
 
 
-def adamantane() -> Any:
-    """C10H16 on the sites of diamond, C-C 1.54 and C-H 1.09 Angstrom."""
-    ch = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], float)
-    ch2 = np.array([[2, 0, 0], [-2, 0, 0], [0, 2, 0], [0, -2, 0], [0, 0, 2], [0, 0, -2]], float)
-    carbons = np.concatenate([ch, ch2])
-    squares = np.sum((carbons[:, None] - carbons[None]) ** 2, axis=2)
-    bonds = [(a, b) for a in range(10) for b in range(a) if np.isclose(squares[a, b], 3)]
-    short = 1.09 / 1.54 / np.sqrt(3)
-    hydrogens, at = [], []
-    for k in range(10):
-        beside = [carbons[b if a == k else a] - carbons[k] for a, b in bonds if k in (a, b)]
-        if len(beside) == 3:
-            spare = [-np.sum(beside, axis=0)]
-        else:
-            across = np.cross(*beside) / np.linalg.norm(np.cross(*beside)) * np.sqrt(2)
-            spare = [-np.sum(beside, axis=0) / 2 + across, -np.sum(beside, axis=0) / 2 - across]
-        for way in spare:
-            hydrogens.append(carbons[k] + way / np.linalg.norm(way) * short * np.sqrt(3))
-            at.append((k, 9 + len(hydrogens)))
-    positions = np.concatenate([carbons, hydrogens]) * 1.54 / np.sqrt(3)
-    return pliant.Structure(positions, elements=[6] * 10 + [1] * 16, bonds=bonds + at)
-
-
-MOLECULES = {
-    "aspirin": lambda: pliant.read(ROOT / "data" / "molecules" / "aspirin.sdf"),
-    "adamantane": adamantane,
-}
-
-
-@pytest.fixture(params=MOLECULES)
+@pytest.fixture(params=["aspirin.sdf", "adamantane.mol"])
 def structure(request: pytest.FixtureRequest) -> Any:
-    return MOLECULES[request.param]()
+    return pliant.read(ROOT / "data" / "molecules" / request.param)
 
 
 @pytest.mark.filterwarnings("ignore::pliant.PliantWarning")

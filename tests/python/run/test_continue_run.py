@@ -30,14 +30,6 @@ def test_observers_see_what_is_added(tmp_path):
     assert steps[-3:] == [6, 7, 8]
 
 
-def test_a_replay_needs_no_other_file(tmp_path):
-    replay = [(k % 3, (3.0, -2.0 * k, 1.0)) for k in range(12)]
-    pliant.run(WATER, output=tmp_path / "whole.h5md", replay=replay, steps=12)
-    pliant.run(WATER, output=tmp_path / "part.h5md", replay=replay, steps=5)
-    pliant.continue_run(tmp_path / "part.h5md", 12)
-    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
-
-
 def test_times_are_products_and_no_sums(tmp_path):
     timestep = 0.1
     pliant.run(WATER, output=tmp_path / "a.h5md", steps=1000, timestep=timestep)

@@ -4,7 +4,6 @@
 import itertools
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
 
@@ -90,13 +89,6 @@ def test_a_mode_is_rocked_along_and_frames_are_near(model, start):
     assert max(along) > 0.4 and min(along) < -0.4
 
 
-def test_what_cannot_arrive_says_so(model, start):
-    guide = pliant.Guide(pairs=[(residue(model, 1), residue(model, 2), 20.0)])
-    _, seen = run(model, guide, steps=30)
-    assert not guide.has_arrived(seen[-1][0])
-    assert guide.pair_distances(seen[-1][0])[0] < 11.0  # neighbours stay neighbours
-
-
 def test_several_guides_act_together(model, start):
     guide = pliant.Guide(
         pulls=[(residue(model, 20), place(start, residue(model, 20), 0.5))],
@@ -117,46 +109,12 @@ def test_motion_follows_a_guide_as_run_does(model, start):
     np.testing.assert_array_equal(frame.positions, seen[-1][0])
 
 
-def test_a_recorded_run_goes_on_with_the_same_bits(model, start, tmp_path):
-    guide = pliant.Guide(
-        rock=pliant.mode_field(model.structure, 2, 0.5),
-        pulls=[(residue(model, 20), (0.0, 0.0, 0.0))],
-        pairs=[(residue(model, 3), residue(model, 18), (10.0, 11.0))],
-        period=16,
-    )
-    whole, part = tmp_path / "whole.h5md", tmp_path / "part.h5md"
-    run(model, guide, steps=12, output=whole)
-    run(model, guide, steps=5, output=part)
-    pliant.continue_run(part, 12)
-    with h5py.File(whole) as a, h5py.File(part) as b:
-        path = "particles/trajectory/position/value"
-        np.testing.assert_array_equal(a[path][:], b[path][:])
-        assert a["parameters/run/perturb"][()] == b"rock+pull+pair_distance"
-
-
 def test_what_has_arrived_is_not_gone_on_with(model, start, tmp_path):
     guide = pliant.Guide(pulls=[(residue(model, 20), place(start, residue(model, 20), 0.3))])
     path = tmp_path / "arrived.h5md"
     first, _ = run(model, guide, steps=100, output=path)
     assert first.steps < 100
     assert pliant.continue_run(path).steps == 0
-
-
-@pytest.mark.parametrize(
-    ("parts", "said"),
-    [
-        ({"rock": np.zeros((3, 3))}, "rock: 3 vectors for "),
-        ({"pulls": [([10**6], (0, 0, 0))]}, "pull: joint 1000000 of "),
-        ({"pulls": [([], (0, 0, 0))]}, "pull: a group has no joint"),
-        ({"pulls": [([0], (0, 0, np.nan))]}, "pull: where to is not finite"),
-        ({"pairs": [([0], [1], (5.0, 4.0))]}, "pair distance: expected a distance from 0, "),
-        ({"period": 1, "pulls": [([0], (0, 0, 0))]}, "period = 1: must be 2 or more"),
-    ],
-)
-def test_what_makes_no_sense_is_refused(model, parts, said):
-    with pytest.raises(pliant.OptionError) as raised:
-        run(model, pliant.Guide(**parts))
-    assert str(raised.value).startswith(said)
 
 
 def test_there_is_no_such_mode(model):

@@ -15,8 +15,6 @@ import h5py
 import numpy as np
 import pytest
 from imd_partners import (
-    FORCES,
-    GO,
     KILL,
     MOLECULES,
     PAUSE,
@@ -179,18 +177,6 @@ def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
     assert again[1].tobytes() == positions.tobytes()
 
 
-def test_nobody_who_looks_changes_a_run(tmp_path):
-    with served_run(COMMAND, tmp_path, "--steps", "300", "--every", "7", "--imd-wait") as run:
-        with Client(port=run.port) as client:
-            assert sum(1 for _ in client) == 301
-        assert run.end()[0] == 0
-    words = [MOLECULES / "peptide_20.pdb", *"-o alone.h5md --steps 300 --every 7".split()]
-    subprocess.run([COMMAND, "run", *words], cwd=tmp_path, check=True, capture_output=True)
-    assert not (tmp_path / "run.forces").exists()
-    seen, alone = (positions_of(tmp_path / name) for name in ("run.h5md", "alone.h5md"))
-    assert seen[1].tobytes() == alone[1].tobytes()
-
-
 # --- our own client -------------------------------------------------------------------------------
 
 
@@ -296,40 +282,6 @@ def test_our_client_trusts_no_server(sent, message):
 
 
 # --- hostile clients ------------------------------------------------------------------------------
-
-
-HOSTILE = {
-    "forces on a negative number of atoms": struct.pack(">ii", FORCES, -7),
-    "forces on too many atoms": struct.pack(">ii", FORCES, 2**31 - 1),
-    "an atom that is not there": struct.pack(">ii", FORCES, 1) + struct.pack("=i3f", 22, 0, 0, 1),
-    "a force that is no number": struct.pack(">ii", FORCES, 1)
-    + struct.pack("=i3f", 1, 0, float("nan"), 1),
-    "an atom twice": struct.pack(">ii", FORCES, 2) + struct.pack("=2i6f", 1, 1, *[0] * 6),
-    "HTTP": b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n",
-    "GO twice": struct.pack(">ii", GO, 0),
-    "no packet of a client": struct.pack(">ii", 2, 22),
-}
-
-
-def test_hostile_clients_lose_their_connection_not_the_run(tmp_path):
-    options = ("--steps", "200", "--imd-wait")
-    with served_run(COMMAND, tmp_path, *options, molecule="alanine_dipeptide.pdb") as run:
-        for bytes_sent in HOSTILE.values():
-            with socket.create_connection(("127.0.0.1", run.port), timeout=900) as hostile:
-                hostile.recv(23, socket.MSG_WAITALL)
-                hostile.sendall(struct.pack(">ii", GO, 0) + bytes_sent)
-                try:
-                    while hostile.recv(65536):  # until the server ends it
-                        pass
-                except ConnectionResetError:
-                    pass
-        with Client(port=run.port) as client:
-            assert sum(1 for _ in client) > 0
-        code, out, said = run.end()
-    assert code == 0
-    assert said.count(" dropped: ") == len(HOSTILE)
-    assert f"{len(HOSTILE)} clients refused" in out
-    assert len(positions_of(tmp_path / "run.h5md")[0]) == 201
 
 
 # --- GROMACS --------------------------------------------------------------------------------------

@@ -40,19 +40,6 @@ def test_it_steps_as_a_run_does(push):
     assert not motion.is_over
 
 
-def test_a_copy_of_the_state_goes_on_as_it_does():
-    first = motion_of(["force", "displacement"], seed=3)
-    first.start()
-    for _ in range(5):
-        first.step()
-    second = pliant.Motion(
-        RING.framework, first.state, "bfs_cycle", push=["force", "displacement"], seed=3
-    )
-    for _ in range(5):
-        np.testing.assert_array_equal(first.step().positions, second.step().positions)
-    np.testing.assert_array_equal(first.state.previous, second.state.previous)
-
-
 def test_the_state_is_a_copy_that_may_be_changed():
     state = pliant.State(RING.positions)
     motion = pliant.Motion(RING.framework, state, "blocks")
@@ -168,14 +155,6 @@ GUIDED = ["replay", "rock", "pull", "pair_distance"]
 def test_the_table_of_pushers():
     names = [row.name for row in pliant.pushers()]
     assert names == [row.name for row in pliant.perturbations()] + GUIDED
-
-
-def test_a_replay_ends():
-    motion = motion_of("replay", replay=[(2, (1, 0, 0)), (4, (0, 2, 0))])
-    assert motion.step().root_joint == 2
-    assert not motion.is_over
-    assert motion.step().force == (0, 2, 0)
-    assert motion.is_over
 
 
 def ends(shard, **options):

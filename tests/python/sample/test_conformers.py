@@ -74,15 +74,6 @@ def test_lengths_and_angles_are_those_of_the_start(sampled):
     assert ensemble.max_residual < 1e-10
 
 
-def test_bars_of_the_framework_are_exact(sampled):
-    _, ensemble = sampled
-    framework = ensemble.model.framework
-    bars = np.asarray(framework.bars)
-    for x in ensemble.positions:
-        lengths = np.linalg.norm(x[bars[:, 0]] - x[bars[:, 1]], axis=1)
-        assert lengths == pytest.approx(np.asarray(framework.rest_lengths), rel=1e-10)
-
-
 def with_stereo(made, positions):
     """Isomeric SMILES, of handedness and double bonds as positions show them."""
     copy = Chem.RemoveAllHs(with_positions(made, positions))
@@ -176,15 +167,6 @@ def test_rings_of_five_pucker_at_each_atom(tmp_path):
         seen.add((int(np.abs(heights).argmax()), float(np.sign(heights[np.abs(heights).argmax()]))))
     assert len({atom for atom, _ in seen}) >= 4
     assert len(seen) >= 6
-
-
-def test_an_amplitude_is_refused(tmp_path):
-    _, path = molecule("CCCC", tmp_path)
-    with pytest.raises(pliant.OptionError) as caught:
-        pliant.sample(pliant.read(path), 1, amplitude=1.0)
-    assert str(caught.value) == (
-        "amplitude: sampler torsions has none: how far torsions turn is drawn"
-    )
 
 
 def test_rings_of_six_take_both_chairs(tmp_path):
@@ -327,17 +309,6 @@ def test_esters_of_large_rings_stay_planar(tmp_path):
     assert off.max() < 60
 
 
-@pytest.mark.parametrize("name", ["fentanyl", "muscone"])
-def test_frames_are_the_same_in_any_pieces(name, tmp_path):
-    _, path = molecule(MOLECULES[name], tmp_path)
-    structure = pliant.read(path)
-    whole = pliant.sample(structure, 12, seed=3).positions
-    threads = pliant.sample(structure, 12, seed=3, threads=3).positions
-    part = pliant.sample(structure, 5, seed=3, first_frame=7).positions
-    assert np.array_equal(whole, threads)
-    assert np.array_equal(whole[7:], part)
-
-
 def test_preferred_torsions_are_staggered(tmp_path):
     made, path = molecule("CCCC", tmp_path)
     frames = usual(pliant.sample(pliant.read(path), 200))
@@ -355,36 +326,9 @@ def test_preferred_torsions_are_staggered(tmp_path):
     assert min(counts[1], counts[5]) > 0
 
 
-def test_what_cannot_turn_is_reported(tmp_path):
-    _, path = molecule("c1ccccc1", tmp_path)
-    with pytest.warns(pliant.PliantWarning, match="all conformers are the same"):
-        ensemble = pliant.sample(pliant.read(path), 3)
-    assert ensemble.positions[2] == pytest.approx(ensemble.positions[0])
-
-
 def test_loops_that_hang_on_rotors_turn_with_them(tmp_path):
     """A loop is cut at one atom, which stands twice in the plan of bodies."""
     _, path = molecule("C" * 16 + "C1CCCCCC1", tmp_path)
     ensemble = pliant.sample(pliant.read(path), 5)
     assert ensemble.failed == 0
     assert ensemble.max_residual < 1e-10
-
-
-def test_several_molecules_move_against_each_other(tmp_path):
-    path = tmp_path / "two.xyz"
-    benzene = Chem.AddHs(Chem.MolFromSmiles("c1ccccc1"))
-    AllChem.EmbedMolecule(benzene, randomSeed=1)
-    one = benzene.GetConformer().GetPositions()
-    symbols = [atom.GetSymbol() for atom in benzene.GetAtoms()] * 2
-    rows = [
-        f"{s} {x:.4f} {y:.4f} {z:.4f}"
-        for s, (x, y, z) in zip(
-            symbols, np.concatenate([one, one + np.array([0, 0, 4])]), strict=True
-        )
-    ]
-    path.write_text(f"{len(rows)}\ntwo\n" + "\n".join(rows) + "\n")
-    structure = pliant.read(path)
-    with pytest.warns(pliant.PliantWarning, match="held too tightly to move that far"):
-        by_default = pliant.sample(structure, 2, amplitude=0.3)
-        modes = pliant.sample(structure, 2, amplitude=0.3, sampler="modes")
-    assert np.array_equal(by_default.positions, modes.positions)

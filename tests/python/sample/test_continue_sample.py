@@ -33,18 +33,6 @@ def test_three_parts_are_the_whole(peptide, tmp_path, sampler):
     assert np.array_equal(recorded, whole.positions)
 
 
-def test_the_command_goes_on_with_what_python_began(peptide, tmp_path):
-    import subprocess
-    import sys
-
-    command = Path(sys.executable).parent / "pliant"
-    pliant.sample(peptide, 5, amplitude=0.4, output=tmp_path / "whole.h5md")
-    pliant.sample(peptide, 2, amplitude=0.4, output=tmp_path / "part.h5md")
-    words = [command, "sample", "--continue", "part.h5md", "--frames", "5", "--quiet"]
-    subprocess.run(words, cwd=tmp_path, check=True)
-    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
-
-
 def test_what_cannot_go_on_is_reported(peptide, tmp_path):
     path = tmp_path / "a.h5md"
     pliant.sample(peptide, 3, amplitude=0.4, output=path)

@@ -196,11 +196,3 @@ def test_tables_have_what_options_name():
     assert [row.name for row in pliant.networks()] == ["shared", "anm", "pfanm", "gnm"]
     rows = PAGE.read_text().split("| sampler |")[1].split("\n\n")[0].splitlines()[2:]
     assert [row.split("`")[1] for row in rows] == [row.name for row in pliant.samplers()]
-
-
-def test_proteins_go_along_modes():
-    """`auto` looks at what the file is."""
-    with pytest.warns(pliant.PliantWarning):
-        kinase = pliant.read(MDA.PDB_small)
-    by_default = pliant.sample(kinase, 1).positions
-    assert np.array_equal(by_default, pliant.sample(kinase, 1, sampler="modes").positions)

@@ -56,27 +56,6 @@ def chain(bars, angle=np.pi):
     return pliant.Framework([(k, k + 1) for k in range(bars)], positions=positions), positions
 
 
-# Gauss-Seidel on the tridiagonal matrix (-1, 2, -1): Young's theorem, cos^2(pi / (m + 1)).
-@pytest.mark.parametrize("bars", [2, 3, 5, 10, 30])
-def test_rate_of_a_straight_chain(bars):
-    framework, positions = chain(bars)
-    rate = spectral_radius(sweep_matrix(framework, positions, 0, 0.5))
-    assert rate == pytest.approx(np.cos(np.pi / (bars + 1)) ** 2, abs=1e-7)
-
-
-@pytest.mark.parametrize("degrees", [60, 75, 90, 120, 180])
-def test_rate_of_two_bars_at_an_angle(degrees):
-    framework, positions = chain(2, np.radians(degrees))
-    rate = spectral_radius(sweep_matrix(framework, positions, 0, 0.5))
-    assert rate == pytest.approx(np.cos(np.radians(degrees)) ** 2 / 4, abs=1e-12)
-
-
-def test_rate_of_the_equilateral_triangle():
-    framework, positions = bfs_cycle.polygon(3)
-    assert spectral_radius(sweep_matrix(framework, positions, 0, 0.5)) == pytest.approx(0.125)
-    assert spectral_radius(sweep_matrix(framework, positions, 0, 1.0)) == pytest.approx(0.25)
-
-
 @pytest.mark.parametrize("size", [3, 5, 8, 20, 50])
 def test_rate_of_polygons_at_weighting_1(size):
     framework, positions = bfs_cycle.polygon(size)
