@@ -6,11 +6,11 @@ import subprocess
 import sys
 from itertools import pairwise
 
-import bond_tool
 import numpy as np
 import pytest
+import support_program
 
-DATA = bond_tool.ROOT / "data"
+DATA = support_program.ROOT / "data"
 README = (DATA / "README.md").read_text().split("## mechanisms/")[0]
 FILES = sorted(path.name for path in (DATA / "molecules").iterdir())
 
@@ -50,7 +50,7 @@ def test_each_format_is_there_twice():
 
 def test_numbers_are_those_that_the_library_finds():
     rows = table()
-    answers = bond_tool.ask(["facts"], [DATA / "molecules" / name for name in FILES])
+    answers = support_program.ask(["facts"], [DATA / "molecules" / name for name in FILES])
     for name, facts in zip(FILES, answers, strict=True):
         assert facts["messages"] == [], name
         assert facts["components"] == 1, name
@@ -63,7 +63,7 @@ def test_geometry_is_sensible(name):
     """Bonds are as long as their radii say; atoms three bonds apart or more do not touch."""
     radii = {"H": 0.31, "C": 0.76, "N": 0.71, "O": 0.66, "S": 1.05}
     elements, points = positions(name)
-    answer = bond_tool.bonds([DATA / "molecules" / name])[0]
+    answer = support_program.bonds([DATA / "molecules" / name])[0]
     assert len(elements) == len(answer["labels"])
     distances = np.linalg.norm(points[:, None] - points[None], axis=2)
     near = np.eye(len(elements), dtype=bool)
@@ -106,7 +106,7 @@ def test_cyclohexane_is_exact(name, torsions):
 
 def test_c60_has_two_lengths_of_bonds():
     _, points = positions("c60.xyz")
-    pairs = bond_tool.bonds([DATA / "molecules" / "c60.xyz"])[0]["pairs"]
+    pairs = support_program.bonds([DATA / "molecules" / "c60.xyz"])[0]["pairs"]
     lengths = [round(float(np.linalg.norm(points[a] - points[b])), 6) for a, b in pairs]
     assert (lengths.count(1.458), lengths.count(1.401)) == (60, 30)
 

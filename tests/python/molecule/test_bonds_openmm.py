@@ -5,8 +5,8 @@ import gzip
 import os
 from pathlib import Path
 
-import bond_tool
 import pytest
+import support_program
 
 pytest.importorskip("openmm")
 pytest.importorskip("MDAnalysisTests")
@@ -85,7 +85,7 @@ class Comparison:
         assert len(self.labels) == len(self.atoms), path
 
     def differences(self):
-        return bond_tool.differences(self.labels, self.ours, self.theirs)
+        return support_program.differences(self.labels, self.ours, self.theirs)
 
     def explains(self, reason, a, b):
         """Whether a reason holds for a bond that only one of the two has."""
@@ -120,7 +120,7 @@ def unpacked(name, folder):
 
 
 def compare(path):
-    return Comparison(path, bond_tool.bonds([path])[0])
+    return Comparison(path, support_program.bonds([path])[0])
 
 
 MOST_BYTES = 500_000  # of files that every change is tested with
@@ -184,7 +184,7 @@ def test_hydrogens_do_not_matter_for_the_other_bonds(tmp_path):
     heavy = [line for line, h in zip(protein, is_hydrogen, strict=True) if not h]
     full.write_text("\n".join(protein))
     bare.write_text("\n".join(heavy))
-    with_hydrogens, without = bond_tool.bonds([full, bare])
+    with_hydrogens, without = support_program.bonds([full, bare])
     kept = [i for i, h in enumerate(is_hydrogen) if not h]
     place = {atom: k for k, atom in enumerate(kept)}
     expected = {(place[a], place[b]) for a, b in with_hydrogens["pairs"] if {a, b} <= place.keys()}

@@ -3,8 +3,8 @@
 
 from pathlib import Path
 
-import bond_tool
 import pytest
+import support_program
 
 pytest.importorskip("rdkit")
 from rdkit import Chem, rdBase
@@ -37,7 +37,7 @@ KNOWN_DIFFERENCES = {
 
 
 def smiles_and_names():
-    path = bond_tool.ROOT / "tests/support/python/molecules.smi"
+    path = support_program.ROOT / "tests/support/python/molecules.smi"
     lines = path.read_text().splitlines()
     return [line.split() for line in lines if line and not line.startswith("#")]
 
@@ -72,7 +72,7 @@ def compared(tmp_path_factory):
         ends = [(b.GetBeginAtomIdx(), b.GetEndAtomIdx()) for b in molecule.GetBonds()]
         theirs.append({(min(pair), max(pair)) for pair in ends})
         names.append(name)
-    answers = bond_tool.bonds(files)
+    answers = support_program.bonds(files)
     return {
         name: (answer["labels"], answer["pairs"], pairs)
         for name, answer, pairs in zip(names, answers, theirs, strict=True)
@@ -87,7 +87,7 @@ def test_there_are_many_molecules_of_different_names():
 
 def test_bonds_equal_rdkits(compared):
     found = {
-        name: bond_tool.differences(*three)
+        name: support_program.differences(*three)
         for name, three in compared.items()
         if three[1] != three[2]
     }

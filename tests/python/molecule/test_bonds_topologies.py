@@ -3,8 +3,8 @@
 
 from pathlib import Path
 
-import bond_tool
 import pytest
+import support_program
 
 MDAnalysis = pytest.importorskip("MDAnalysis")
 tests_of_mdanalysis = pytest.importorskip("MDAnalysisTests")
@@ -32,7 +32,7 @@ def compared(tmp_path_factory):
         universes.append(MDAnalysis.Universe(MDA / topology, MDA / coordinates))
         files.append(folder / f"{number}.pdb")
         universes[-1].atoms.write(files[-1], bonds=None)
-    answers = bond_tool.bonds(files)
+    answers = support_program.bonds(files)
     return dict(zip(SYSTEMS, zip(universes, answers, strict=True), strict=True))
 
 
@@ -48,4 +48,4 @@ def test_bonds_equal_the_topologys(name, compared):
             continue
         theirs.add((min(int(a), int(b)), max(int(a), int(b))))
     assert len(theirs) > 100
-    assert bond_tool.differences(answer["labels"], answer["pairs"], theirs) == []
+    assert support_program.differences(answer["labels"], answer["pairs"], theirs) == []

@@ -5,8 +5,8 @@ import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-import bond_tool
 import pytest
+import support_program
 
 pytest.importorskip("openmm")
 from openmm import app
@@ -37,7 +37,7 @@ def theirs():
 
 
 def ours(names):
-    answers = bond_tool.ask(["templates"], names)
+    answers = support_program.ask(["templates"], names)
     return {
         name: None if answer["bonds"] is None else {tuple(sorted(pair)) for pair in answer["bonds"]}
         for name, answer in zip(names, answers, strict=True)

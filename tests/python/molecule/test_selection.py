@@ -5,9 +5,9 @@ import random
 import re
 from pathlib import Path
 
-import bond_tool
 import numpy as np
 import pytest
+import support_program
 
 import pliant
 
@@ -84,7 +84,7 @@ def test_selections_equal_mdanalysis(name):
     if (np.diff(order) < 0).any():  # an index is ours, not the file's
         terms = [term for term in terms if not re.search("index|bynum", term)]
     selections = terms + [expression(source, terms, 3) for _ in range(100)]
-    answers = bond_tool.ask(["select", MDA / name], selections)
+    answers = support_program.ask(["select", MDA / name], selections)
     wrong, found = [], 0
     for selection, answer in zip(selections, answers, strict=True):
         chosen = universe.select_atoms(selection).indices
@@ -101,4 +101,4 @@ def test_what_mdanalysis_refuses_is_refused(selection):
     file = MDA / "adk_open_10res.pdb"
     with pytest.raises(MDAnalysis.SelectionError):
         MDAnalysis.Universe(file).select_atoms(selection or " ")
-    assert bond_tool.ask(["select", file], [selection])[0].keys() == {"error"}
+    assert support_program.ask(["select", file], [selection])[0].keys() == {"error"}

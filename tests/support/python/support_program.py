@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs the small C++ programs of tests/support, which show parts of the library to Python tests."""
 
+import json
 import os
 import subprocess
 from pathlib import Path
@@ -29,3 +30,28 @@ def answers(name: str, words: list[str], questions: list) -> list[str]:
     lines = run.stdout.splitlines()
     assert len(lines) == len(questions)
     return lines
+
+
+def ask(words: list[str], questions: list) -> list[dict]:
+    """One answer of pliant_print_bonds, which tells what the library makes of molecule files, for
+    each question."""
+    return [json.loads(line) for line in answers("pliant_print_bonds", words, questions)]
+
+
+def bonds(files: list) -> list[dict]:
+    """For each file its "labels" and, as a set of pairs (a, b) with a < b, its "pairs"."""
+    answers = ask(["bonds"], files)
+    for file, answer in zip(files, answers, strict=True):
+        if "error" in answer:
+            raise AssertionError(f"{file}: {answer['error']}")
+        answer["pairs"] = {(a, b) for a, b, _ in answer["bonds"]}
+    return answers
+
+
+def differences(labels: list[str], ours: set, theirs: set) -> list[str]:
+    """Each bond that only one of two has, as text."""
+    return [
+        f"{labels[a]} - {labels[b]}: {who} only"
+        for who, pairs in [("ours", ours - theirs), ("theirs", theirs - ours)]
+        for a, b in sorted(pairs)
+    ]
