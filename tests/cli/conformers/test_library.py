@@ -397,20 +397,3 @@ def test_minimised_conformers_are_said_to_be(pliant, tmp_path):
         assert one.GetProp("pliant_lengths") == (
             "minimised: lengths and angles are the force field's"
         )
-
-
-def test_the_file_of_one_ligand(pliant, tmp_path):
-    alanine = Chem.RemoveHs(embedded("C[C@H](N)C(=O)O"))
-    (tmp_path / "ligand.pdb").write_text(Chem.MolToPDBBlock(alanine, flavor=8))
-    ended = pliant("conformers", "ligand.pdb", *FAST)
-    assert (ended.code, ended.out) == (1, "")
-    assert ended.err == (
-        "warning: record 1 (ligand): the ligand has no hydrogens, and its bond orders are not "
-        "known: pliant conformers FILE --smiles TEXT gives both\n"
-        "pliant conformers: error: no record gave a conformer\n"
-    )
-    ended = pliant("conformers", "ligand.pdb", "--smiles", "C[C@H](N)C(=O)O", *FAST)
-    assert (ended.code, ended.err) == (0, "")
-    made = molecules(tmp_path / "ligand-conformers.sdf")
-    assert {Chem.MolToSmiles(Chem.RemoveHs(one)) for one in made} == {"C[C@H](N)C(=O)O"}
-    assert {one.GetProp("_Name") for one in made} == {"ligand"}

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""pliant conformers: wrong calls; what pliant sample hands over; no RDKit."""
+"""pliant conformers: wrong calls; what pliant sample hands over; one ligand; no RDKit."""
 
 import gzip
 import os
 from pathlib import Path
 
 import pytest
+
+pytest.importorskip("rdkit")
+from libraries import embedded, molecules
+from rdkit import Chem
 
 ROOT = Path(__file__).parents[3]
 CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
@@ -226,3 +230,20 @@ def test_what_needs_rdkit_says_how_to_install_it(without_rdkit, two, tmp_path, w
     assert ended.err == (
         f'pliant conformers: error: {what} needs RDKit: pip install "pliant[rdkit]"\n'
     )
+
+
+def test_the_file_of_one_ligand(pliant, tmp_path):
+    alanine = Chem.RemoveHs(embedded("C[C@H](N)C(=O)O"))
+    (tmp_path / "ligand.pdb").write_text(Chem.MolToPDBBlock(alanine, flavor=8))
+    ended = pliant("conformers", "ligand.pdb", *FAST)
+    assert (ended.code, ended.out) == (1, "")
+    assert ended.err == (
+        "warning: record 1 (ligand): the ligand has no hydrogens, and its bond orders are not "
+        "known: pliant conformers FILE --smiles TEXT gives both\n"
+        "pliant conformers: error: no record gave a conformer\n"
+    )
+    ended = pliant("conformers", "ligand.pdb", "--smiles", "C[C@H](N)C(=O)O", *FAST)
+    assert (ended.code, ended.err) == (0, "")
+    made = molecules(tmp_path / "ligand-conformers.sdf")
+    assert {Chem.MolToSmiles(Chem.RemoveHs(one)) for one in made} == {"C[C@H](N)C(=O)O"}
+    assert {one.GetProp("_Name") for one in made} == {"ligand"}
