@@ -6,14 +6,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
 import pliant as library
 
 cut_by_box = pytest.importorskip("cut_by_box")
 tests_of_mda = pytest.importorskip("MDAnalysisTests")
 
-ROOT = Path(__file__).parents[2]
-PEPTIDE = ROOT / "data" / "molecules" / "peptide_20.pdb"
 #: Adenylate kinase in a dodecahedron of water of four sites, with ions; GROMACS wrote it.
 IN_WATER = Path(tests_of_mda.__file__).parent / "data" / "adk_oplsaa.pdb"
 WHOLE = "cut.pdb: 1 molecule cut by the periodic cell made whole (A:"

@@ -8,15 +8,11 @@ import resource
 import shutil
 import signal
 import subprocess
-from pathlib import Path
 
 import forked
 import h5py
 import pytest
-
-ROOT = Path(__file__).parents[2]
-DIPEPTIDE = ROOT / "data/molecules/alanine_dipeptide.pdb"
-HELIX = ROOT / "data/molecules/peptide_20.pdb"
+from real_files import DIPEPTIDE, PEPTIDE
 
 #: a command in Python whose files hold so many bytes: what it returns, and what it says
 LIMITED = """
@@ -50,7 +46,7 @@ CHEAP = (".sdf", ".dcd", ".xyz", ".cif", "-k 20", "--recover")
 LONG_IN_PYTHON = [
     ("analyse {} -o out", ["out/report.html", "out/frames.csv", "out/ensemble.pdb"]),
     ("convert {} -o o.zarr --overwrite", ["o.zarr"]),
-    (f"path {HELIX} {{folder}}/end.pdb -o o.h5md --csv o.csv --overwrite", ["o.h5md", "o.csv"]),
+    (f"path {PEPTIDE} {{folder}}/end.pdb -o o.h5md --csv o.csv --overwrite", ["o.h5md", "o.csv"]),
     ("compare {folder}/helix.h5md {folder}/models.pdb -o out", ["out/helix.compare.png"]),
     ("check {folder}/helix.h5md --frames 2 -o out", ["out/helix.check.png"]),
     (
@@ -59,7 +55,7 @@ LONG_IN_PYTHON = [
         ["o.csv"],
     ),
     ("lab experiment -o out --graphs 1 --class tree --forces 2", ["out/table.csv", "out/table.h5"]),
-    (f"study {HELIX} -o out --overwrite", ["out/report.html", "out/representatives.pdb"]),
+    (f"study {PEPTIDE} -o out --overwrite", ["out/report.html", "out/representatives.pdb"]),
 ]
 
 IN_CPP = [
@@ -74,7 +70,7 @@ IN_CPP = [
     (f"lab order {DIPEPTIDE} -o o.txt --overwrite", ["o.txt"]),
     (f"lab forcegen {DIPEPTIDE} --steps 500 -o o.txt --overwrite", ["o.txt"]),
     ("lab structgen tree -o o.xml --overwrite", ["o.xml"]),
-    (f"rigidity {HELIX} -o out --overwrite", ["out/residues.csv", "out/show.pml"]),
+    (f"rigidity {PEPTIDE} -o out --overwrite", ["out/residues.csv", "out/show.pml"]),
 ]
 
 
@@ -91,8 +87,8 @@ def others(command, trajectory):
     """What some commands need besides: in the trajectory's folder, made once."""
     folder = trajectory.parent
     if not (folder / "models.pdb").exists():
-        shutil.copy(HELIX, folder / "end.pdb")
-        words = [command, "sample", HELIX, "--frames", "20", "-o"]
+        shutil.copy(PEPTIDE, folder / "end.pdb")
+        words = [command, "sample", PEPTIDE, "--frames", "20", "-o"]
         for name in ("helix.h5md", "models.pdb"):
             subprocess.run([*words, folder / name], check=True, capture_output=True)
     return folder

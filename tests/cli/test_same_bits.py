@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from h5md_contents import contents
+from real_files import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 OPTIMIZED = Path(sys.executable).parent / "pliant"
 PLAIN = Path(os.environ.get("PLIANT_DEBUG_COMMAND", ROOT / "build/debug/apps/pliant"))
 SETTINGS = [

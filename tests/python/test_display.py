@@ -2,16 +2,15 @@
 """What objects show of themselves in notebooks and when they are printed."""
 
 import xml.etree.ElementTree as ElementTree
-from pathlib import Path
 
 import numpy as np
 import pytest
 from pliant.base.display import as_html, as_text
 from pliant.report.compare.comparison_report import ComparisonReport
+from real_files import CAFFEINE
 
 import pliant
 
-CAFFEINE = Path(__file__).parents[2] / "data" / "molecules" / "caffeine.sdf"
 PEPTIDE = CAFFEINE.with_name("peptide_20.pdb")
 
 

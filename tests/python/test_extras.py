@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from forked import ended_code
+from real_files import CAFFEINE, ROOT
 
 import pliant
 
@@ -15,8 +16,6 @@ try:
 except ModuleNotFoundError:  # Python 3.10
     from pip._vendor import tomli as tomllib
 
-ROOT = Path(__file__).parents[2]
-CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
 EXTRAS = tuple(
     "MDAnalysis anywidget dask distributed matplotlib openmm rdkit rich scipy websockets".split()
 )

@@ -4,14 +4,13 @@
 import copy
 import multiprocessing
 import pickle
-from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import MOLECULES
 
 import pliant
 
-DATA = Path(__file__).parents[2] / "data" / "molecules"
 PROTOCOLS = range(2, pickle.HIGHEST_PROTOCOL + 1)
 
 
@@ -21,7 +20,7 @@ def sent(thing, protocol=pickle.HIGHEST_PROTOCOL):
 
 @pytest.fixture(scope="module")
 def structure():
-    made = pliant.read(DATA / "peptide_20.pdb")
+    made = pliant.read(MOLECULES / "peptide_20.pdb")
     made.perceive_bonds()
     return made
 
@@ -96,7 +95,7 @@ def test_limits_sterics_planes_and_merged_bars_are_kept(tmp_path):
     assert there.limits.tolist() == here.limits.tolist()
     text = tmp_path / "bars.txt"
     text.write_text("pliant-bars 1\nbars bonds\nsterics C C 3.0\nown 0 5 1.5\n")
-    butane = pliant.read(DATA / "butane.sdf")
+    butane = pliant.read(MOLECULES / "butane.sdf")
     framework = butane.framework(bars=text)
     assert sent(framework).has_sterics
     overlaps = [

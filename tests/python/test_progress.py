@@ -9,16 +9,15 @@ import subprocess
 import sys
 import termios
 import types
-from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import MOLECULES
 
 import pliant
 from pliant.base import console
 from pliant.base import progress as _progress
 
-MOLECULES = Path(__file__).parents[2] / "data" / "molecules"
 CAFFEINE, ASPIRIN = MOLECULES / "caffeine.sdf", MOLECULES / "aspirin.sdf"
 
 #: A run that looks at its bar as often as it can, so that no machine is too fast to show it.

@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Technique units beside scipy: best rotation of the first unit, best torsion of the next."""
 
-from pathlib import Path
-
 import expected_warnings
 import numpy as np
 import pytest
 from MDAnalysisTests import datafiles
+from real_files import MOLECULES
 from scipy.optimize import minimize, minimize_scalar
 from scipy.spatial.transform import Rotation
 
 import pliant
-
-MOLECULES = Path(__file__).parents[2] / "data" / "molecules"
 
 
 def angles_of(name):

@@ -3,16 +3,14 @@
 
 import gzip
 import os
-from pathlib import Path
 
 import pytest
+from real_files import CAFFEINE
 
 pytest.importorskip("rdkit")
 from libraries import embedded, molecules
 from rdkit import Chem
 
-ROOT = Path(__file__).parents[3]
-CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
 FAST = ("--frames", 20, "--starts", 1)
 
 HIDE = """\

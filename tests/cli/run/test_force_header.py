@@ -2,13 +2,12 @@
 """What force files say of how they were made, and what `pliant run --forces` makes of it."""
 
 import json
-from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 SESSION = "set technique froda\nforce 4 900 40 -70\nstep 3\nforce 7 100 0 0\nstep\n"
 
 

@@ -3,13 +3,12 @@
 
 import json
 import shutil
-from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
+from real_files import MECHANISMS
 
-MECHANISMS = Path(__file__).parents[3] / "data" / "mechanisms"
 BANANA, FOUR_BAR = MECHANISMS / "double_banana.xml", MECHANISMS / "four_bar.xml"
 
 

@@ -2,13 +2,12 @@
 """pliant run --rock, --pull and --pair-distance: what they say, record and refuse."""
 
 import json
-from pathlib import Path
 
 import h5py
 import pytest
 from h5md_contents import assert_same_runs
+from real_files import PEPTIDE
 
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 MODEL = ["run", PEPTIDE, "--model", "protein"]
 
 

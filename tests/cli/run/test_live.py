@@ -9,12 +9,11 @@ from contextlib import ExitStack
 
 import h5py
 import pytest
-from imd_partners import MOLECULES, served_run
+from imd_partners import served_run
 from pliant.play.imd import Client
+from real_files import DIPEPTIDE
 
 import pliant as library
-
-PEPTIDE = MOLECULES / "alanine_dipeptide.pdb"
 
 
 @pytest.mark.parametrize(
@@ -31,7 +30,7 @@ PEPTIDE = MOLECULES / "alanine_dipeptide.pdb"
     ],
 )  # fmt: skip  # a table: a row a line
 def test_options_that_make_no_sense(pliant, tmp_path, options, said):
-    ended = pliant("run", PEPTIDE, *options)
+    ended = pliant("run", DIPEPTIDE, *options)
     assert ended.code == 2
     assert ended.err.splitlines()[0] == said
     assert list(tmp_path.iterdir()) == []
@@ -40,7 +39,7 @@ def test_options_that_make_no_sense(pliant, tmp_path, options, said):
 def test_a_port_that_is_taken(pliant, command, tmp_path):
     (tmp_path / "other").mkdir()
     with served_run(command, tmp_path / "other", "--imd-wait") as run:
-        ended = pliant("run", PEPTIDE, "--imd", run.port)
+        ended = pliant("run", DIPEPTIDE, "--imd", run.port)
     assert ended.code == 1
     assert ended.err.splitlines()[-1] == (
         f"pliant: error: IMD on 127.0.0.1:{run.port}: cannot listen: Address already in use"
@@ -49,13 +48,13 @@ def test_a_port_that_is_taken(pliant, command, tmp_path):
 
 
 def test_a_run_that_is_reached_from_elsewhere_says_so(pliant):
-    ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0.0.0.0:0")
+    ended = pliant("run", DIPEPTIDE, "--steps", "2", "--imd", "0.0.0.0:0")
     assert ended.code == 0
     assert "warning: --imd 0.0.0.0:0: IMD has no passwords: whoever reaches port " in ended.err
 
 
 def test_a_run_whose_pushes_no_file_holds_says_so(pliant, tmp_path):
-    ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0", "--perturb", "displacement")
+    ended = pliant("run", DIPEPTIDE, "--steps", "2", "--imd", "0", "--perturb", "displacement")
     assert ended.code == 0
     assert (
         "warning: clients can pull, but a force file cannot describe this run: it cannot be "
@@ -64,7 +63,7 @@ def test_a_run_whose_pushes_no_file_holds_says_so(pliant, tmp_path):
 
 
 def test_what_goes_on_is_not_live(pliant, tmp_path):
-    assert pliant("run", PEPTIDE, "-o", "a.h5md", "--steps", "2").code == 0
+    assert pliant("run", DIPEPTIDE, "-o", "a.h5md", "--steps", "2").code == 0
     ended = pliant("run", "--continue", "a.h5md", "--imd")
     assert (ended.code, ended.err) == (
         2,
@@ -73,7 +72,7 @@ def test_what_goes_on_is_not_live(pliant, tmp_path):
 
 
 def test_nobody_came(pliant):
-    ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0", "--json")
+    ended = pliant("run", DIPEPTIDE, "--steps", "2", "--imd", "0", "--json")
     facts = json.loads(ended.out)
     assert {name: value for name, value in facts.items() if name.startswith("imd")} == {
         "imd_clients": 0,
@@ -143,7 +142,7 @@ def test_watch_says_what_is_wrong(pliant, tmp_path):
         "pliant watch: error: --output and --topology go together\n",
     )
     (tmp_path / "a.h5md").touch()
-    ended = pliant("watch", ":8888", "-o", "a.h5md", "--topology", PEPTIDE)
+    ended = pliant("watch", ":8888", "-o", "a.h5md", "--topology", DIPEPTIDE)
     assert (ended.code, ended.err) == (
         2,
         "pliant watch: error: --output a.h5md: exists; --overwrite replaces it\n",
@@ -152,7 +151,7 @@ def test_watch_says_what_is_wrong(pliant, tmp_path):
 
 def test_watch_notices_other_atoms(pliant, command, tmp_path):
     with served_run(command, tmp_path, "--steps", "1000", "--imd-wait") as run:
-        ended = pliant("watch", f"localhost:{run.port}", "-o", "a.h5md", "--topology", PEPTIDE)
+        ended = pliant("watch", f"localhost:{run.port}", "-o", "a.h5md", "--topology", DIPEPTIDE)
     assert ended.code == 1
     assert ended.err == "pliant watch: error: --topology: has 22 atoms, the run 327\n"
     assert not (tmp_path / "a.h5md").exists()

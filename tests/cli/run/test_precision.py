@@ -2,13 +2,12 @@
 """--precision: recorded positions are rounded, and nothing else is."""
 
 import json
-from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 POSITION = "particles/trajectory/position/value"
 
 

@@ -2,17 +2,16 @@
 """Recording some atoms only: what is there is as if all had been recorded."""
 
 import json
-from pathlib import Path
 
 import h5py
 import MDAnalysis
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
 import pliant as package
 from pliant import mdanalysis  # noqa: F401
 
-PEPTIDE = Path(__file__).parents[3] / "data/molecules/peptide_20.pdb"
 POSITIONS = "particles/trajectory/position/value"
 COMMANDS = {
     "run": ("run", PEPTIDE, "--model", "protein", "--steps", "12", "--every", "4"),

@@ -2,9 +2,9 @@
 """pliant lab techniques, and what pliant run says of one that does not fit."""
 
 import json
-from pathlib import Path
 
-ASPIRIN = Path(__file__).parents[3] / "data" / "molecules" / "aspirin.sdf"
+from real_files import ASPIRIN
+
 SAID = (
     "technique = random: goes from bar to bar, which does not converge or is slow where bars form "
     "rigid units (angles); use auto, which takes units"

@@ -6,21 +6,19 @@ import os
 import random
 import signal
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
 from commit_logs import commits_in, stopped, words_of_job
-from ensembles import PEPTIDE as HELIX
 from h5md_contents import contents
 from interruptions import check_interruptions
+from real_files import HEXAPEPTIDE, PEPTIDE
 
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
 COMMON = ["--amplitude", "0.4", "--topology", "none", "--quiet"]
 
 
 def test_it_names_the_model_of_the_file(pliant, tmp_path):
-    pliant("sample", PEPTIDE, "-o", "part.h5md", "--frames", 2, "--model", "molecule", *COMMON)
+    pliant("sample", HEXAPEPTIDE, "-o", "part.h5md", "--frames", 2, "--model", "molecule", *COMMON)
     ended = pliant("sample", "--continue", "part.h5md", "--frames", 3, "--json")
     assert json.loads(ended.out)["model"] == "molecule"
     ended = pliant("sample", "--continue", "part.h5md", "--frames", 4, "--verbose")
@@ -28,7 +26,7 @@ def test_it_names_the_model_of_the_file(pliant, tmp_path):
 
 
 def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
-    (tmp_path / "in.pdb").write_bytes(PEPTIDE.read_bytes())
+    (tmp_path / "in.pdb").write_bytes(HEXAPEPTIDE.read_bytes())
     pliant("sample", "in.pdb", "-o", "part.h5md", "--frames", 3, *COMMON)
     (tmp_path / "in.pdb").unlink()
     ended = pliant("sample", "--continue", "part.h5md", "--frames", 5, "--seed", 0)
@@ -53,7 +51,7 @@ def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
     ],
 )  # fmt: skip  # a table: a row a line
 def test_what_contradicts_the_file_is_refused(pliant, tmp_path, words, message):
-    pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 3, *COMMON)
+    pliant("sample", HEXAPEPTIDE, "-o", "o.h5md", "--frames", 3, *COMMON)
     before = (tmp_path / "o.h5md").read_bytes()
     ended = pliant("sample", "--continue", "o.h5md", *words)
     assert (ended.code, ended.err) == (2, f"pliant: error: {message}\n")
@@ -62,7 +60,7 @@ def test_what_contradicts_the_file_is_refused(pliant, tmp_path, words, message):
 
 def test_runs_and_samples_are_not_mixed_up(pliant, ethanol):
     pliant("run", ethanol, "-o", "run.h5md", "--steps", 3)
-    pliant("sample", PEPTIDE, "-o", "sample.h5md", "--frames", 2, *COMMON)
+    pliant("sample", HEXAPEPTIDE, "-o", "sample.h5md", "--frames", 2, *COMMON)
     ended = pliant("sample", "--continue", "run.h5md")
     assert (ended.code, ended.err) == (
         1,
@@ -91,7 +89,7 @@ def test_what_was_ended_before_its_first_frame_is_named(pliant, tmp_path, comman
 
 
 def test_a_sample_that_is_done_has_nothing_to_do(pliant, tmp_path):
-    pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 3, *COMMON)
+    pliant("sample", HEXAPEPTIDE, "-o", "o.h5md", "--frames", 3, *COMMON)
     before = (tmp_path / "o.h5md").read_bytes()
     ended = pliant("sample", "--continue", "o.h5md")
     assert ended.code == 0
@@ -104,17 +102,17 @@ def test_a_sample_that_is_done_has_nothing_to_do(pliant, tmp_path):
     [(8, 1), *(pytest.param(25, seed, marks=pytest.mark.long) for seed in range(10))],
 )
 def test_interruptions_leave_no_trace(command, tmp_path, times, seed):
-    words = ["sample", str(PEPTIDE), "--frames", "250", "--threads", "1", *COMMON]
+    words = ["sample", str(HEXAPEPTIDE), "--frames", "250", "--threads", "1", *COMMON]
     check_interruptions(command, tmp_path, words, 1, times, seed)
 
 
 def test_redraws_and_contacts_are_recorded(pliant, tmp_path):
     """Counts of contacts by NumPy, from positions and the limits of the file."""
-    pliant("sample", PEPTIDE, "-o", "m.h5md", "--frames", 20, "--amplitude", 1, "--quiet")
+    pliant("sample", HEXAPEPTIDE, "-o", "m.h5md", "--frames", 20, "--amplitude", 1, "--quiet")
     options = (
         "--frames 20 --amplitude 1 --quiet --sampler dilute --contact-energy 9.6 --topology none"
     )
-    pliant("sample", PEPTIDE, "-o", "d.h5md", *options.split())
+    pliant("sample", HEXAPEPTIDE, "-o", "d.h5md", *options.split())
     for name in ("m.h5md", "d.h5md"):
         found = contents(tmp_path / name)
         held, broken, off, redraws = (
@@ -145,7 +143,7 @@ def test_redraws_and_contacts_are_recorded(pliant, tmp_path):
 
 
 FRAMES, FIRST = 400, 20
-SAMPLE = {"input": HELIX, "first_frame": FIRST, "frames": FRAMES, "threads": 1}
+SAMPLE = {"input": PEPTIDE, "first_frame": FIRST, "frames": FRAMES, "threads": 1}
 
 
 def words_of(**more):

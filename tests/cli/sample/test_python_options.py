@@ -6,10 +6,9 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
 import pliant as library
-
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 
 
 @pytest.fixture

@@ -8,14 +8,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
+from real_files import HEXAPEPTIDE
 
 
 def test_frames_are_written_with_what_they_were_made_with(pliant, tmp_path):
     ended = pliant(
         "sample",
-        PEPTIDE,
+        HEXAPEPTIDE,
         "-o",
         "out.h5md",
         "--frames",
@@ -42,9 +41,9 @@ def test_frames_are_written_with_what_they_were_made_with(pliant, tmp_path):
 
 def test_threads_and_pieces_give_the_same_frames(pliant, tmp_path):
     common = ("--amplitude", 0.4, "--quiet", "--topology", "none")
-    pliant("sample", PEPTIDE, "-o", "one.h5md", "--frames", 6, "--threads", 1, *common)
-    pliant("sample", PEPTIDE, "-o", "two.h5md", "--frames", 6, "--threads", 2, *common)
-    piece = {"input": str(PEPTIDE), "output": "end.h5md", "frames": 2, "first_frame": 4}
+    pliant("sample", HEXAPEPTIDE, "-o", "one.h5md", "--frames", 6, "--threads", 1, *common)
+    pliant("sample", HEXAPEPTIDE, "-o", "two.h5md", "--frames", 6, "--threads", 2, *common)
+    piece = {"input": str(HEXAPEPTIDE), "output": "end.h5md", "frames": 2, "first_frame": 4}
     (tmp_path / "piece.json").write_text(json.dumps(piece))
     pliant("sample", "--job", "piece.json", *common)
 
@@ -79,14 +78,14 @@ def test_eight_lines_say_what_was_done(pliant, tmp_path):
 
 
 def test_it_says_that_the_amplitude_is_an_input(pliant):
-    ended = pliant("sample", PEPTIDE, "--frames", 2, "--amplitude", 0.4, "--verbose")
+    ended = pliant("sample", HEXAPEPTIDE, "--frames", 2, "--amplitude", 0.4, "--verbose")
     assert "an input, not a prediction" in ended.out
     assert "how often they occur is not claimed" in ended.out
 
 
 def test_what_exists_is_not_replaced(pliant, tmp_path):
     (tmp_path / "out.h5md").write_text("mine")
-    ended = pliant("sample", PEPTIDE, "-o", "out.h5md")
+    ended = pliant("sample", HEXAPEPTIDE, "-o", "out.h5md")
     assert ended.code == 1
     assert ended.err == "pliant: error: out.h5md: exists; --overwrite replaces it\n"
     assert (tmp_path / "out.h5md").read_text() == "mine"

@@ -7,8 +7,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 PLACE = "resid 30-67 or resid 118-160"  # of adenylate kinase: AMP site and lid
 
 

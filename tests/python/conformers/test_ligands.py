@@ -2,10 +2,10 @@
 """PDB, mmCIF and XYZ files of one ligand: bond orders as stated, from hydrogens, or by a SMILES."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import DIPEPTIDE
 
 import pliant
 
@@ -261,9 +261,6 @@ def test_a_metal_has_no_bond_orders(tmp_path):
     lines = [*(atom.format(*one) for one in atoms), "CONECT    1    2    3\n"]
     (tmp_path / "x.pdb").write_text("".join(lines))
     assert refused(tmp_path / "x.pdb") == "RDKit finds no bond orders at the metal Zn"
-
-
-DIPEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "alanine_dipeptide.pdb"
 
 
 def test_a_ligand_is_taken_out_of_a_complex(alanine, tmp_path):

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Freedoms of joints and bars beside numpy's rank, bars taken out one by one, and Laman's count."""
 
-from pathlib import Path
-
 import networkx
 import numpy as np
 import pytest
+from real_files import MECHANISMS
 
 import pliant
 
-MECHANISMS = Path(__file__).parents[3] / "data" / "mechanisms"
 EXAMPLES = {example.name: example for example in pliant.examples()}
 
 

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
 import pliant
 
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 LENGTHS = {6: 1.53, 7: 1.47, 8: 1.43, 16: 1.81}
 
 

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Arguments of preparation and contacts: each reaches the model, wherever it may be given."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
 import pliant
-
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 
 
 def edited(path, lines):

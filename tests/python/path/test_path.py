@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
 import pliant
 
@@ -134,9 +135,6 @@ def test_a_path_is_written_as_models_of_a_pdb_file(tmp_path, monkeypatch, capsys
     assert models == len(reader)
     last = pliant.read("p.pdb", model=models).positions
     assert last == pytest.approx(reader.positions(models - 1), abs=1e-3)
-
-
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 
 
 def dimer(path, shift):

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import PEPTIDE
 
 import pliant
 
@@ -15,7 +16,6 @@ from pliant.jobs.path.walk import PathEnds, PathOptions
 
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 OPEN, CLOSED = DATA / "adk_open.pdb", DATA / "adk_closed.pdb"
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 GLYCEROL = "HETATM 9{0}  {1}  GOL A 900    {2:8.3f}   0.000   0.000  1.00  0.00           {3}"
 
 pytestmark = pytest.mark.filterwarnings("ignore::pliant.PliantWarning")

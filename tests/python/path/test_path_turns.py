@@ -2,16 +2,14 @@
 """Paths between ends whose parts differ by large turns: pieces turn as wholes, along arcs."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
 from pliant.jobs.path.command import main
 from pliant.jobs.path.walk import PathEnds, PathOptions, PathWalk
+from real_files import PEPTIDE
 
 import pliant
-
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 
 pytestmark = pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 

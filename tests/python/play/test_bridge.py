@@ -18,12 +18,12 @@ import pytest
 from imd_partners import MOLECULES, served_run
 from pliant.play import bridge, command, connect, page, upstream
 from pliant.play.imd.client import ImdFrame
+from real_files import PEPTIDE
 
 sync_client = pytest.importorskip("websockets.sync.client")
 from websockets.exceptions import ConnectionClosed, InvalidStatus  # noqa: E402
 
 COMMAND = Path(sys.executable).parent / "pliant"
-PEPTIDE = MOLECULES / "peptide_20.pdb"
 BARE = b"<meta content=\"default-src 'none'; x\">" + page.PLACE
 ENDLESS = ("--steps", "1000000000", "--every", "1000000", "--force", "0", "--damping", "1")
 NUMBERS = 6

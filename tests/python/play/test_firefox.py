@@ -12,11 +12,11 @@ import h5py
 import numpy as np
 import pytest
 from firefox import BINARY, Firefox
+from real_files import CAFFEINE
 from wasm_solver import ROOT
 
 BUILT = Path(os.environ.get("PLIANT_PLAY", ROOT / "build/play")) / "pliant.html"
 COMMAND = Path(os.environ.get("PLIANT_COMMAND", Path(sys.executable).parent / "pliant"))
-CAFFEINE = ROOT / "data/molecules/caffeine.sdf"
 
 #: Where a joint is seen that nothing hides, in CSS pixels of the window.
 SEEN = """(() => {

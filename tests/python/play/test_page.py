@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import ROOT
 
-ROOT = Path(__file__).resolve().parents[3]
 BUILT = Path(os.environ.get("PLIANT_PLAY", ROOT / "build/play"))
 TESTS = ROOT / "apps/play/test"
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")

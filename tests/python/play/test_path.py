@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Paths that the page finds have the bits of the library."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pliant.jobs.path.walk import PathEnds, PathOptions, PathWalk
+from real_files import PEPTIDE
 from wasm_solver import Solver, sha1
 
 import pliant
-
-PEPTIDE = Path(__file__).resolve().parents[3] / "data" / "molecules" / "peptide_20.pdb"
 
 pytestmark = pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 

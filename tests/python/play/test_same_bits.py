@@ -6,12 +6,11 @@ from pathlib import Path
 import pytest
 from MDAnalysisTests import datafiles
 from native_bits import opened as opened_natively
-from wasm_solver import ROOT, sha1
+from real_files import MECHANISMS, MOLECULES
+from wasm_solver import sha1
 
 import pliant
 
-MOLECULES = ROOT / "data" / "molecules"
-MECHANISMS = ROOT / "data" / "mechanisms"
 ALL = [row.name for row in pliant.techniques() if not row.forests_only]
 
 

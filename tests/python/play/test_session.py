@@ -8,13 +8,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from real_files import CAFFEINE, PEPTIDE
 from wasm_solver import ROOT, Solver, sha1
 
 import pliant
 
-PEPTIDE = ROOT / "data" / "molecules" / "peptide_20.pdb"
 COMMAND = Path(sys.executable).with_name("pliant")
-CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
 
 
 def drag(solver, steps=3, joint=4, force=(900.0, 40.0, -70.0), **more):

@@ -19,12 +19,11 @@ import numpy as np
 import pytest
 from pliant.play import page
 from pliant.play.view import given_of
+from real_files import MOLECULES, PEPTIDE
 from wasm_solver import ROOT, sha1
 
 import pliant
 
-MOLECULES = ROOT / "data" / "molecules"
-PEPTIDE = MOLECULES / "peptide_20.pdb"
 BARE = b"<p>page</p>" + page.PLACE
 
 

@@ -8,8 +8,8 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
+from real_files import ROOT
 
-ROOT = Path(__file__).resolve().parents[3]
 WASM = ROOT / "build" / "play" / "pliant.wasm"
 
 

@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: MIT
 """shake ends where OpenMM's CCMA does; newton where scipy finds the nearest whole positions."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import scipy.optimize
 from pliant.checks.openmm.child import Job, run_jobs
 from pliant.measure import bars as _bars
+from real_files import MOLECULES
 
 import pliant
 
-MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
 NM = 0.1
 
 

@@ -15,13 +15,13 @@ from math import acos, cos, pi, sin, sqrt
 import expected_warnings
 import numpy as np
 import pytest
+from real_files import MECHANISMS
 from support_program import ROOT
 
 import pliant
 
-FOLDER = ROOT / "data/mechanisms"
 README = (ROOT / "data/README.md").read_text()
-NAMES = sorted(path.stem for path in FOLDER.iterdir())
+NAMES = sorted(path.stem for path in MECHANISMS.iterdir())
 TECHNIQUES = [row.name for row in pliant.techniques() if not row.forests_only]
 
 # joints, pinned joints, bars, rank, freedom to first order, true freedom. Those of the platforms,
@@ -45,7 +45,7 @@ FACTS = {
 
 
 def path_of(name):
-    return FOLDER / f"{name}.xml"
+    return MECHANISMS / f"{name}.xml"
 
 
 @cache
@@ -269,7 +269,7 @@ def test_the_script_makes_the_files_again(tmp_path):
     assert sorted(path.stem for path in tmp_path.iterdir()) == NAMES
     number = re.compile(r'"-?\d[\d.e+-]*"')
     for name in NAMES:
-        new, old = ((folder / f"{name}.xml").read_text() for folder in (tmp_path, FOLDER))
+        new, old = ((folder / f"{name}.xml").read_text() for folder in (tmp_path, MECHANISMS))
         assert number.sub("", new) == number.sub("", old)
         both = [np.array([float(x[1:-1]) for x in number.findall(text)]) for text in (new, old)]
         assert np.abs(both[0] - both[1]).max() < 1e-14 * sqrt(len(both[0])) * 10

@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import warnings
-from pathlib import Path
 from typing import Any
 
 import pytest
+from real_files import ROOT
 
 import pliant
 
-ROOT = Path(__file__).parents[3]
 STEPS, SWEEPS = 10, 3000
 
 NAMES = [row.name for row in pliant.techniques()]

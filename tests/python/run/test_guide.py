@@ -2,20 +2,18 @@
 """Guided runs: modes rocked along, groups pulled, pair distances reached; every frame whole."""
 
 import itertools
-from pathlib import Path
 
 import numpy as np
 import pytest
+from real_files import MOLECULES
 
 import pliant
-
-DATA = Path(__file__).parents[3] / "data" / "molecules"
 
 
 @pytest.fixture(scope="module")
 def model():
     """Without contacts, which would hold the helix."""
-    return pliant.build_model(pliant.read(DATA / "peptide_20.pdb"), model="molecule")
+    return pliant.build_model(pliant.read(MOLECULES / "peptide_20.pdb"), model="molecule")
 
 
 @pytest.fixture

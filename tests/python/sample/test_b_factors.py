@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Estimated B factors: the formula, by NumPy; which residues they are of; what is refused."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from real_files import MOLECULES
 
 import pliant
-
-DATA = Path(__file__).parents[3] / "data" / "molecules"
 
 
 def springs(x):
@@ -39,7 +36,7 @@ def test_they_are_the_pseudoinverse_of_kirchhoffs_matrix(count):
 
 
 def test_residues_of_a_structure_by_their_alpha_carbons():
-    structure = pliant.read(DATA / "peptide_20.pdb")
+    structure = pliant.read(MOLECULES / "peptide_20.pdb")
     values, atoms = pliant.estimate_b_factors(structure)
     assert structure.names[atoms].tolist() == ["CA"] * 20
     assert values.mean() == pytest.approx(1.0)
@@ -72,4 +69,4 @@ def test_what_is_wrong_is_said(arguments, error, said):
 
 def test_a_molecule_without_residues_has_none():
     with pytest.raises(pliant.OptionError, match="0 nodes"):
-        pliant.estimate_b_factors(pliant.read(DATA / "caffeine.sdf"))
+        pliant.estimate_b_factors(pliant.read(MOLECULES / "caffeine.sdf"))

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Samples that are written to files and go on from them."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from h5md_contents import assert_same_runs
+from real_files import PEPTIDE
 
 import pliant
-
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 
 
 @pytest.fixture(scope="module")

@@ -15,9 +15,9 @@ import h5py
 import numpy as np
 import psutil
 from forked import ended_command, is_forkable
+from real_files import PEPTIDE
 
 COMMAND = Path(os.environ.get("PLIANT_COMMAND", Path(sys.executable).parent / "pliant"))
-PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 POSITION = "particles/trajectory/position"
 
 

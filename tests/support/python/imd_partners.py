@@ -6,12 +6,10 @@ import socket
 import struct
 import subprocess
 from contextlib import contextmanager
-from pathlib import Path
 
 import numpy as np
+from real_files import MOLECULES
 from support_program import program
-
-MOLECULES = Path(__file__).resolve().parents[3] / "data" / "molecules"
 
 ENERGIES, COORDINATES, GO, HANDSHAKE, KILL, FORCES, PAUSE = 1, 2, 3, 4, 5, 6, 7
 

@@ -18,11 +18,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from real_files import biopython_file
+from real_files import MOLECULES, biopython_file
 
 import pliant
 
-MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
 SIZES = (0.001, 0.01, 0.1)
 HYDROGEN = 1
 #: With angles sweeps do not get whole; by then they have gone as far as they go.

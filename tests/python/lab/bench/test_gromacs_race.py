@@ -2,7 +2,6 @@
 """GROMACS in the race: the quickest setting that meets a tolerance, and no claim beyond it."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,8 +13,8 @@ from pliant.lab.bench.work_precision import prepare
 from pliant.lab.bench.work_precision_picture import draw_on
 from pliant.lab.bench.work_precision_rows import label
 from pliant.lab.peers.gromacs import Program, Run, Setting, lincs_settings, programs
+from real_files import CAFFEINE
 
-CAFFEINE = Path(__file__).parents[4] / "data" / "molecules" / "caffeine.sdf"
 PROGRAM = Program("gmx", "single", "0", "")
 BARS = 25
 

@@ -4,7 +4,6 @@
 import csv
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,12 +14,10 @@ from pliant.lab.bench.nearest import nearest_whole
 from pliant.lab.bench.target import read_target, target_of
 from pliant.lab.bench.work_precision import compare_with_openmm, fastest_to
 from pliant.lab.bench.work_precision_rows import TOO_SHORT, Row
+from real_files import CAFFEINE
 from scipy.optimize import minimize
 
 import pliant
-
-MOLECULES = Path(__file__).parents[4] / "data" / "molecules"
-CAFFEINE = MOLECULES / "caffeine.sdf"
 
 
 @pytest.fixture(scope="module")
