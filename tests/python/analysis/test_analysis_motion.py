@@ -56,23 +56,6 @@ def test_superposition_never_mirrors():
     assert np.linalg.det(rotated) == pytest.approx(1.0)
 
 
-def test_rmsd_is_that_of_mdanalysis(adk):
-    found = RmsdToStart(adk.atoms).run().results.rmsd
-    theirs = rms.RMSD(adk.atoms).run().results.rmsd[:, 2]
-    np.testing.assert_allclose(found, theirs, atol=1e-5)
-    assert found[-1] > 3.0  # this trajectory goes from closed to open
-
-
-def test_rmsd_of_atoms_other_than_those_fitted(adk):
-    core = adk.select_atoms("resid 1:29 60:121 160:214")
-    lid = adk.select_atoms("resid 122:159")
-    found = RmsdToStart(lid, superpose_on=core).run().results.rmsd
-    theirs = rms.RMSD(
-        adk, adk, select="resid 1:29 60:121 160:214", groupselections=["resid 122:159"]
-    )
-    np.testing.assert_allclose(found, theirs.run().results.rmsd[:, 3], atol=1e-5)
-
-
 def test_mass_weighted_rmsd(adk):
     masses = np.linspace(1, 30, len(adk.atoms))
     found = RmsdToStart(adk.atoms, weights=masses).run().results.rmsd
@@ -109,14 +92,6 @@ def test_rmsf_is_that_of_mdanalysis_on_the_same_superposition(adk):
     np.testing.assert_allclose(ours.rmsf, theirs, atol=2e-5)
 
 
-def test_rmsf_equals_numpy_on_the_frames_superposed_on_the_average(adk):
-    ours = Rmsf(adk.atoms).run().results
-    fit = Superposition(ours.average, np.ones(len(adk.atoms)))
-    moved = np.array([fit.apply(ts.positions.astype(float)) for ts in adk.trajectory])
-    np.testing.assert_allclose(moved.mean(axis=0), ours.average, atol=1e-5)  # it rests there
-    np.testing.assert_allclose(ours.rmsf, np.sqrt(moved.var(axis=0).sum(axis=1)), atol=1e-6)
-
-
 def test_the_average_is_iterated_not_that_of_the_first_frame(adk):
     once = Rmsf(adk.atoms, max_iterations=1).run().results
     rested = Rmsf(adk.atoms).run().results
@@ -148,12 +123,6 @@ def test_rmsf_over_chosen_frames_starts_at_the_first_of_them(adk):
 def test_no_frames_to_average(adk):
     with pytest.raises(ValueError, match="no frames to average"):
         Rmsf(adk.atoms).run(start=3, stop=3)
-
-
-def test_radius_of_gyration_is_that_of_mdanalysis(adk):
-    found = RadiusOfGyration(adk.atoms).run().results.radius
-    theirs = [adk.atoms.radius_of_gyration() for _ in adk.trajectory]
-    np.testing.assert_allclose(found, theirs, rtol=1e-6)
 
 
 def test_radius_of_gyration_in_closed_form():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A shard that is not the one that was made.
+"""An ensemble that is not as it was made, and `--verify`, which finds that.
 
 Whatever reads it names it, and the same command makes it again, with the same bytes.
 """
@@ -8,6 +8,7 @@ import json
 import re
 import shutil
 
+import h5py
 import MDAnalysis
 import pliant.mdanalysis
 import pytest
@@ -198,3 +199,58 @@ def test_bytes_are_looked_at_once(copy, monkeypatch):
         for place in range(6):
             frames.numbers(20 * place)
     assert len(looks) == 6
+
+
+def problems(folder):
+    return made("--verify", folder, code=1)["problems"]
+
+
+def test_a_whole_ensemble_passes(ensemble):
+    found = made("--verify", ensemble)
+    assert (found["shards"], found["shards_whole"], found["frames"]) == (6, 6, 24 * 5)
+    assert found["problems"] == []
+
+
+@DAMAGE
+def test_verify_names_it(copy, damage):
+    _, why = damage(copy)
+    (said,) = problems(copy)
+    assert said.startswith(why)
+
+
+def test_a_shard_lost_and_one_too_many(copy):
+    first, second, *_ = shards_of(copy)
+    shutil.copy(second, copy / "shards" / "shard-000000000-000000007.h5md")
+    first.unlink()
+    lost, stranger = problems(copy)
+    assert lost.endswith("is not there: the same command makes it")
+    assert stranger.endswith("is no shard of this ensemble: remove it")
+
+
+@pytest.mark.parametrize("change", ["twice", "missing"])
+def test_a_frame_twice_or_missing(copy, change):
+    path = shards_of(copy)[1]
+    with h5py.File(path, "r+") as file:
+        steps, walkers = file["particles/trajectory/position/step"], file["observables/walker"]
+        if change == "twice":
+            steps[3] = steps[2]
+        else:
+            walkers["value"][5:10] = 4
+            steps[:] = range(len(steps))
+    assert len(problems(copy)) == 1
+    wanted = {
+        "twice": "expected each frame once, in order",
+        "missing": "1 of 4 walkers are missing",
+    }
+    assert wanted[change] in problems(copy)[0]
+
+
+def test_no_folder_of_shards(copy):
+    shutil.rmtree(copy / "shards")
+    assert len(problems(copy)) == 6
+
+
+def test_no_ensemble(tmp_path):
+    ended = call("ensemble", "--verify", tmp_path)
+    assert ended.returncode == 1
+    assert "expected the folder of an ensemble" in ended.stderr

@@ -129,18 +129,6 @@ def test_processes_of_an_analysis_end_with_it():
     assert not psutil.wait_procs(children, timeout=900)[1]
 
 
-def test_two_at_once_in_one_folder(tmp_path):
-    folder = tmp_path / "many"
-    client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 1)
-    wait_for_shards(client, folder, 1)
-    client.send_signal(signal.SIGSTOP)  # it is still at work when the second comes, however late
-    second = call("ensemble", PEPTIDE, "-o", folder, *MANY)
-    client.kill()
-    client.communicate()
-    assert (second.returncode, second.stderr.count("\n")) == (1, 1)
-    assert "another pliant ensemble is at work in it" in second.stderr
-
-
 def test_a_second_command_leaves_the_plan_of_the_first(tmp_path):
     """Also before the first shard is whole."""
     plan = tmp_path / "many" / "ensemble.pliant"

@@ -15,7 +15,7 @@ from pliant.report.check.check_report import CheckReport
 
 import pliant
 
-pytest.importorskip("MDAnalysis")
+MDAnalysis = pytest.importorskip("MDAnalysis")
 LABELS = pytest.importorskip("pliant.report.study.answers").LABELS
 additions = pytest.importorskip("pliant.report.study.sections").additions
 report_of = pytest.importorskip("pliant.report.write").report_of
@@ -221,6 +221,7 @@ def test_openmm_looks_at_a_few_frames(tmp_path, capsys):
     ("words", "code", "message"),
     [
         (["none.pdb"], 1, "cannot read none.pdb: No such file or directory"),
+        (["none.pdb", "--demo"], 2, "--demo: goes with neither FILE nor --smiles"),
         (["none.pdb", "--frames", "2"], 2, "--frames: expected a whole number from 4, found '2'"),
         (["none.pdb", "--seed", "-1"], 2, "--seed: expected a whole number from 0, found '-1'"),
         (
@@ -278,3 +279,11 @@ def test_a_smiles_is_studied(tmp_path, capsys):
     assert main([*words[:2], str(MOLECULES / "aspirin.sdf")]) == 2
     expected = "pliant study: error: FILE, --smiles: expected one of the two\n"
     assert capsys.readouterr().err == expected
+
+
+def test_the_helix_of_the_package_is_studied(tmp_path):
+    folder = tmp_path / "first"
+    assert main(["--demo", "-o", str(folder), "--frames", "40", "--no-check"]) == 0
+    universe = MDAnalysis.Universe(folder / "ensemble.pdb", folder / "ensemble.h5md")
+    assert (universe.trajectory.n_frames, len(universe.residues)) == (40, 20)
+    assert (folder / "report.html").is_file()
