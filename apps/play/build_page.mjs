@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes build/play/pliant.html, the page of `pliant play`: markup, style, script, the sources of the
 // two workers and the WebAssembly in one file. node apps/play/build_page.mjs [--worker FILE]
-import {execFileSync} from 'node:child_process';
 import {createHash} from 'node:crypto';
 import {existsSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
@@ -9,7 +8,6 @@ import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {gzipSync} from 'node:zlib';
 import {notices} from './notices.mjs';
-import {toDense} from './page/dense.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, '..', '..');
@@ -40,11 +38,7 @@ async function bundle(file) {
   return result.outputFiles[0].text;
 }
 
-const packed = (bytes) => toDense(gzipSync(bytes, {level: 9}));
-const python = [join(root, '.venv', 'bin', 'python'), 'python3'].find((name, k) => k || existsSync(name));
-/** By LZMA, which node has not: two thirds of what gzip leaves of the solver. */
-const packedMost = (bytes) =>
-  toDense(execFileSync(python, [join(here, 'pack.py')], {input: bytes, maxBuffer: 1 << 28}));
+const packed = (bytes) => gzipSync(bytes, {level: 9}).toString('base64');
 const hash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 const inScript = (text) => text.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
 // A block of data is no script: it needs no leave of the policy.
@@ -84,7 +78,7 @@ function assemble(parts) {
   const style = styles();
   const script = inScript(parts.page);
   const blocks = [
-    data('solver-wasm', packedMost(parts.wasm)), data('solver-worker', packed(parts.solver)),
+    data('solver-wasm', packed(parts.wasm)), data('solver-worker', packed(parts.solver)),
     data('hdf5-worker', packed(parts.hdf5)), data('examples-inside', packed(examples())),
     data('notices', packed(Buffer.from(notices(root)))),
   ].join('\n');

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What the page carries inside itself: blocks of packed bytes as text, and workers made of them.
-import {fromDense} from './dense.mjs';
+import {fromBase64} from './base64.mjs';
 
 async function gunzip(bytes) {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Bytes of the data block of this id, packed as they are. */
-export const packedInside = (id) => fromDense(document.getElementById(id).textContent);
-
 /** Bytes of the data block of this id, which gzip has packed. */
-export const bytesInside = (id) => gunzip(packedInside(id));
+export const bytesInside = (id) => gunzip(fromBase64(document.getElementById(id).textContent));
 
 export async function textInside(id) {
   return new TextDecoder().decode(await bytesInside(id));

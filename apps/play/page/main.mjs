@@ -2,7 +2,6 @@
 // The page: makes its parts and lets them hear of each other.
 import './share/document.mjs';  // first: the page as it was loaded
 import {Hand} from './hand.mjs';
-import {Beside} from './panel/beside.mjs';
 import {Compare} from './panel/compare.mjs';
 import {Demo} from './first/demo.mjs';
 import {$, fold, guarded, say} from './panel/dom.mjs';
@@ -15,7 +14,6 @@ import {Keys} from './panel/keys.mjs';
 import {Look} from './panel/look.mjs';
 import {Measure} from './panel/measure.mjs';
 import {Open} from './panel/open.mjs';
-import {Order} from './panel/order.mjs';
 import {Path} from './panel/path.mjs';
 import {Plots} from './panel/plots.mjs';
 import {Readout} from './panel/readout.mjs';
@@ -24,19 +22,17 @@ import {Resolve} from './panel/resolve.mjs';
 import {Select} from './panel/select.mjs';
 import {Stopped} from './panel/stopped.mjs';
 import {Transport} from './panel/transport.mjs';
-import {Tour} from './first/tour.mjs';
 import {Wander} from './panel/wander.mjs';
 import {Why} from './panel/why.mjs';
+import {fromBase64} from './base64.mjs';
 import {textInside} from './inside.mjs';
 import {Host} from './host.mjs';
 import {Live} from './live.mjs';
 import {Session} from './session.mjs';
 import {openPacked, openShared} from './share/share.mjs';
 import {Stage} from './stage.mjs';
-import {palettes} from './view/colours.mjs';
 import {Labels} from './view/labels.mjs';
 import {View} from './view/scene.mjs';
-import {COLOURS} from './view/uniforms.mjs';
 
 const FIRST = 'three_helices.pdb';  // opened where nothing was given
 const WAY = [0, 1];  // of the hand of the start scene, on the screen
@@ -65,10 +61,8 @@ function makeParts() {
   parts.path = new Path(stage, session);
   parts.ensemble = new Ensemble(parts);
   parts.resolution = new Resolution(stage, session, view, hand);
-  parts.beside = parts.compare.beside = new Beside(stage, session, view, parts.resolution);
   parts.stopped = new Stopped(session, stage);
-  parts.forces = parts.open.forces = new Forces(session, stage, parts.beside);
-  parts.order = parts.open.order = new Order(session, stage, view);
+  parts.forces = parts.open.forces = new Forces(session, stage);
   parts.fitBar = new FitBar(parts);
   parts.labels = new Labels(view, $('labels'));
   parts.measure = new Measure(parts);
@@ -80,7 +74,6 @@ function makeParts() {
   parts.keys = new Keys(parts);
   parts.hint = new Hint(session, stage);
   parts.demo = new Demo(parts);
-  parts.tour = new Tour(parts);
   return parts;
 }
 
@@ -152,10 +145,10 @@ async function given(parts) {
   if (!block) return false;
   const {name, data, gone, model, live, isInside, known, session} = JSON.parse(block.textContent);
   if (gone) throw new Error(`${name} was handed out once. Call pliant play again, or drop the file here.`);
-  const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+  const bytes = fromBase64(data);
   if (isInside) parts.host = new Host(parts);
   if (session) {
-    await openPacked(parts, Uint8Array.from(atob(session), (letter) => letter.charCodeAt(0)));
+    await openPacked(parts, fromBase64(session));
     return true;
   }
   await parts.open.openBytes(name, bytes, model, known);
@@ -184,7 +177,7 @@ async function begin() {
   const told = $('message-text').textContent;
   if (hasFile) parts.demo.stop();
   else await first(parts, told);
-  return {...parts, costs, facts, say, palettes: () => palettes(parts.stage.model, COLOURS)};
+  return {...parts, costs, facts, say};
 }
 
 /** The hint is to be read before the solver is unpacked. A page that nobody sees is not painted. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The session: what is open, where it is, what has been done. It asks the worker, one request after
 // the other, and tells whoever listens; it knows no element of the page.
-import {workerInside, packedInside, unzipped} from './inside.mjs';
+import {bytesInside, unzipped, workerInside} from './inside.mjs';
 
 /** Fields that a reply of `open` may leave out. */
 function completed(reply) {
@@ -25,11 +25,11 @@ function completed(reply) {
   return model;
 }
 
-const OPENS = new Set(['open', 'example', 'structgen', 'path']);
+const OPENS = new Set(['open', 'example', 'path']);
 /** Calls after which all is as it was. */
 const QUESTIONS = new Set([
-  'boot', 'sample', 'again', 'forces', 'recorded', 'state', 'path_steps', 'why', 'pair', 'edited', 'select',
-  'ordering', 'force_file', 'step_limit', 'twin', 'twin_step', 'twin_end',
+  'boot', 'again', 'forces', 'recorded', 'state', 'path_steps', 'why', 'pair', 'edited', 'select',
+  'force_file', 'step_limit',
 ]);
 const FOREVER = 1e9;  // ms
 
@@ -62,8 +62,8 @@ export class Session extends EventTarget {
   /** Starts the solver; the reply of `boot` tells what it can do. */
   async boot() {
     this.client = await workerInside('solver-worker');
-    const packed = packedInside('solver-wasm');
-    this.facts = await this.client.ask('boot', {packed}, [packed.buffer]);
+    const wasm = await bytesInside('solver-wasm');
+    this.facts = await this.client.ask('boot', {wasm}, [wasm.buffer]);
     return this.facts;
   }
 
@@ -111,10 +111,6 @@ export class Session extends EventTarget {
     return this.begin({do: 'example', name, model});
   }
 
-  generate(options) {
-    return this.begin({do: 'structgen', options});
-  }
-
   /** What is open, from its start, with another model. */
   again(model) {
     return this.begin({...this.source, model});
@@ -124,7 +120,7 @@ export class Session extends EventTarget {
     const {do: what, ...request} = source;
     const reply = await this.ask(what, request);
     this.source = source;
-    this.fileName = source.name ?? source.options?.class ?? '';
+    this.fileName = source.name ?? '';
     this.model = completed(reply);
     this.positions = reply.positions;
     this.before = null;

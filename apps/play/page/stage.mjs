@@ -2,7 +2,7 @@
 // What is shown: the walker where it stands, or a frame of the recording; and what has been
 // recorded. The picture, the plots and the save menu all look here.
 import {Frames} from './record/frames.mjs';
-import {Fluctuation, superpose} from './record/superpose.mjs';
+import {Fluctuation} from './record/superpose.mjs';
 import {colouringOf} from './view/colours.mjs';
 
 /** What is held of a step; an H5MD file has it, and the bars that were broken are shown again. */
@@ -223,9 +223,5 @@ export class Stage extends EventTarget {
   rmsf() {
     const each = this.fluctuation.each();
     return Array.from(this.sites, (joint) => each[joint]);
-  }
-
-  rmsdBetween(a, b) {
-    return superpose(a, b, this.measured()).rmsd;
   }
 }

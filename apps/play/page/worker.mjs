@@ -2,14 +2,12 @@
 // The worker: answers {id, do, ...} with {id, ok, ...}. All that is computed is computed in the
 // WebAssembly module; here requests go in and replies come out. Runs in a browser's Worker and in
 // node's worker_threads.
-import {unpacked} from './lzma.mjs';
 import {WasmModule} from './wasm_module.mjs';
 
 let solver = null;
 
-/** `packed`: the module as the page has it. */
-async function boot({packed, wasm}) {
-  solver = await WasmModule.start(packed ? unpacked(packed) : wasm);
+async function boot({wasm}) {
+  solver = await WasmModule.start(wasm);
   return solver.call({do: 'boot'});
 }
 

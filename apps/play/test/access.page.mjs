@@ -4,6 +4,8 @@ import assert from 'node:assert/strict';
 import {before, describe, test} from 'node:test';
 import {openExample, sharedPage, settle} from './support/browser.mjs';
 import {SEEN, leastApart} from './support/vision.mjs';
+import {CATEGORIES, domainColour, elementColour} from '../page/view/colours.mjs';
+import {COLOURS} from '../page/view/uniforms.mjs';
 
 const CONTROLS = new Set(['button', 'link', 'textbox', 'combobox', 'slider', 'spinbutton', 'checkbox', 'radio',
   'application', 'ColorWell', 'DisclosureTriangle', 'img', 'dialog', 'region', 'switch', 'menuitem']);
@@ -92,7 +94,22 @@ test('all of the picture by keys: move, nearer, the force in numbers', async () 
 });
 
 describe('colours that mean different things can be told apart', () => {
-  const sets = () => page.evaluate(() => P.palettes());
+  /** Each means something else; at least so far apart in CIELAB whatever the eye sees. */
+  const sets = async () => {
+    const text = (colour) => `#${colour.map((x) => x.toString(16).padStart(2, '0')).join('')}`;
+    const numbers = {H: 1, C: 6, N: 7, O: 8, S: 16};
+    const {longColour: long, shortColour: short} = COLOURS;
+    const contacts = await page.evaluate(() => {
+      const {contactKindNames: names, contactKindColours: colours} = P.stage.model;
+      return Object.fromEntries(colours.map((colour, k) => [names[k], colour]));
+    });
+    return {
+      categories: {colours: {...[...CATEGORIES, domainColour(-1)].map(text)}, least: 14},
+      contacts: {colours: contacts, least: 15},
+      elements: {colours: Object.fromEntries(Object.entries(numbers).map(([name, k]) => [name, text(elementColour(k))])), least: 20},
+      strain: {colours: {long, short, plain: '#9aa3ad'}, least: 20},
+    };
+  };
   for (const seen of Object.keys(SEEN))
     test(seen, async () => {
       for (const [name, {colours, least}] of Object.entries(await sets())) {

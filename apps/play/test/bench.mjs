@@ -4,9 +4,12 @@
 // where a PDB file is given, copies of the protein beside each other: bonds by `blocks`, the model of a
 // protein by `froda`. Medians, ms. `script` is all JavaScript of the page, `all` that and the solver;
 // painting is the graphics processor's, and is in `shown` alone.
-import {readFileSync} from 'node:fs';
-import {openPage, quit, settle} from './support/browser.mjs';
+import {execFileSync} from 'node:child_process';
+import {mkdtempSync, readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {openPage, quit, root, settle} from './support/browser.mjs';
 
+const COMMAND = process.env.PLIANT_COMMAND || join(root, '.venv', 'bin', 'pliant');
 const STEPS = 40;
 const [FRAME, PLOTS] = [1000 / 60, 90];  // ms between frames of a usual screen, and between plots
 const APART = 90;  // Angstrom between two copies
@@ -138,7 +141,10 @@ for (const [count, joints] of text ? [[1, 3341], [3, 10000], [30, 100000]] : [])
   await measure(page, `model of ${count} protein${count > 1 ? 's' : ''}`, 'froda');
 }
 for (const joints of [10000, 100000].filter(isAsked)) {
-  await page.evaluate((wanted) => P.session.generate({class: 'tree', joints: wanted, seed: 1}), joints);
+  const file = `${mkdtempSync('/tmp/pliant-bench-')}/tree.xml`;
+  execFileSync(COMMAND, ['structgen', 'tree', '--joints', joints, '--seed', 1, '-o', file].map(String));
+  await page.setInputFiles('#file', file);
+  await page.waitForFunction((wanted) => P.session.model?.joints === wanted, joints);
   await measure(page, 'tree', 'blocks');
 }
 await quit();

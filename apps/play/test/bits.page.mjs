@@ -53,7 +53,6 @@ test('are those of Chromium, and every technique is tried', async () => {
   assert.ok(facts.worker);
   const [tried] = Object.values(native(1, 'bonds', join(root, 'data/molecules/caffeine.sdf')).rows);
   assert.deepEqual(Object.keys(tried), facts.techniques);
-  assert.ok(facts.techniques.length >= 20);
 });
 
 for (const [steps, model, path] of CASES)

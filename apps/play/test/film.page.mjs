@@ -16,7 +16,7 @@ const show = (title) => page.evaluate((wanted) => {
   for (const box of document.querySelectorAll('details')) box.open ||= box.textContent.startsWith(wanted);
 }, title);
 const film = () => page.evaluate(() => {
-  const {films: [own]} = P.resolution;
+  const {film: own} = P.resolution;
   return {at: own.at, count: own.count, broken: own.broken, sweep: own.sweep, worst: Math.abs(own.off[own.worst()])};
 });
 
@@ -60,11 +60,11 @@ test('the readout is that of the film’s moment, and the end’s verdict comes 
   assert.ok((await page.getAttribute('#out-residual', 'title')).includes('–'));
   await page.keyboard.press('j');
   assert.equal((await film()).at, later.at - 1);
-  await page.evaluate(() => P.resolution.goTo(P.resolution.longest));
+  await page.evaluate(() => P.resolution.goTo(P.resolution.film.count));
   assert.equal((await film()).broken, 0);
   assert.equal(await text('out-verdict'), 'All bars whole');
   await page.keyboard.press('Escape');
-  assert.equal(await page.evaluate(() => P.resolution.isShowing), false);
+  assert.equal(await page.evaluate(() => P.resolution.film), null);
   assert.equal(await text('out-verdict'), 'All bars whole');
   assert.equal(await page.isHidden('#film'), true);
 });
@@ -76,7 +76,7 @@ test('K pauses and goes on', async () => {
   await page.keyboard.press('k');
   assert.equal(await text('film-pause'), 'Pause');
   await page.evaluate(() => { document.getElementById('resolution-speed').value = 3; });
-  await page.waitForFunction((before) => !P.resolution.isShowing || P.resolution.at > before, at);
+  await page.waitForFunction((before) => !P.resolution.film || P.resolution.film.at > before, at);
   await page.evaluate(() => P.resolution.finish());
 });
 
@@ -87,7 +87,7 @@ test('a film says how long it takes, and a long one can be quick', async () => {
   assert.match(await text('film-text'), /(second|minute)s? left$/);
   await page.waitForSelector('#film-quick:not([hidden])');
   await page.click('#film-quick');
-  assert.ok(await page.evaluate(() => (P.resolution.longest - P.resolution.visit) / P.resolution.perSecond) <= 21);
+  assert.ok(await page.evaluate(() => (P.resolution.film.count - P.resolution.film.at) / P.resolution.perSecond) <= 21);
   await page.evaluate(() => P.resolution.finish());
 });
 

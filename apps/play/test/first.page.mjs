@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first ten seconds: what the page says, what it does by itself, and the tour.
+// The first ten seconds: what the page says, and what it does by itself.
 import assert from 'node:assert/strict';
 import {join} from 'node:path';
 import {after, before, describe, test} from 'node:test';
@@ -131,63 +131,5 @@ test('messages never lie over the picture, long notes are folded', async () => {
   await page.click('#message-close');
   assert.equal(await page.isVisible('#message'), false);
   await page.context().close();
-});
-
-describe('tour', () => {
-const count = (page) => page.textContent('#tour-count');
-const visible = (page) => page.isVisible('#tour');
-
-test('goes through its steps by what is done, or by Next, each at a control in sight', async () => {
-  for (const viewport of SIZES) {
-    const page = await openPage({viewport});
-    await page.click('#hint-tour');
-    const names = [];
-    while (await visible(page)) {
-      names.push((await count(page)).match(/: (\w+)/)[1]);
-      const {pointed, shared} = await page.evaluate(() => {
-        const control = document.querySelector('.pointed-at').getBoundingClientRect();
-        const [row, canvas] = ['tour', 'canvas'].map((id) => document.getElementById(id).getBoundingClientRect());
-        return {pointed: {...control.toJSON()}, shared: Math.min(row.bottom, canvas.bottom) - Math.max(row.top, canvas.top)};
-      });
-      assert.ok(pointed.bottom > 0 && pointed.top < viewport.height && pointed.width > 0, `${names.at(-1)} ${JSON.stringify(pointed)}`);
-      if (await page.evaluate(() => scrollY === 0)) assert.ok(shared <= 0, names.at(-1));
-      await page.click('#tour-next');
-    }
-    const wanted = ['Pull', 'Pin', 'Why', 'Compare', 'Record', 'Share'];
-    assert.deepEqual(names, wanted.filter((name) => name !== 'Why' || names.includes('Why')));
-    await page.context().close();
-  }
-});
-
-test('waits for the person to do it', async () => {
-  const page = await sharedPage();
-  await openExample(page, 'alanine_dipeptide.pdb');
-  await page.click('#tour-start');
-  assert.match(await count(page), /^1 of \d: Pull/);
-  const {release} = await drag(page, await seenJoint(page, 2), 40, 20, {steps: 3});
-  assert.match(await count(page), /: Pull/);
-  await release();
-  assert.match(await count(page), /^2 of \d: Pin/);
-  await page.evaluate(() => P.session.togglePin(0));
-  assert.match(await count(page), /^3 of \d/);
-  await page.evaluate(() => P.session.clearPins());
-  while (!/: Record/.test(await count(page))) await page.click('#tour-next');
-  await page.click('#play');
-  assert.match(await count(page), /: Share/);
-  await page.keyboard.press('Escape');
-  assert.equal(await visible(page), false);
-  assert.equal(await page.$('.pointed-at'), null);
-});
-
-test('is left by a button and begins again where it began', async () => {
-  const page = await sharedPage();
-  await page.click('#tour-start');
-  await page.click('#tour-next');
-  await page.click('#tour-leave');
-  assert.equal(await visible(page), false);
-  await page.click('#tour-start');
-  assert.match(await count(page), /^1 of/);
-  await page.click('#tour-leave');
-});
 });
 });

@@ -110,7 +110,7 @@ test('a second page joins, and each sees what the other pulls with', async () =>
   await second.evaluate(() => P.session.live.pull([[7, 0, 0, 1]]));
   await page.waitForFunction(() => P.session.live.others.rows.length === 1);
   assert.deepEqual(await page.evaluate(() => P.session.live.others.rows), [[7, 0, 0, 1]]);
-  assert.ok(await page.evaluate(() => P.session.live.others.arrows[0].group.visible));
+  assert.ok(await page.evaluate(() => P.session.live.others.arrows[0].isShown));
   assert.match(await page.textContent('#said'), /^Someone else pulls on .+/);
   assert.equal(await second.evaluate(() => P.session.live.others.rows.length), 0);
   if (process.env.PLIANT_PICTURES) await page.screenshot({path: join(process.env.PLIANT_PICTURES, 'live-two.png')});

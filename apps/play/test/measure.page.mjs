@@ -30,7 +30,7 @@ test('clicks measure; lines and values are over the picture, and follow what mov
   await openExample(page, 'butane.sdf');
   await page.evaluate(() => P.session.again('bonds'));
   await tool('measure');
-  const joints = [await seenJoint(page, 0), await seenJoint(page, 6)];  // no bar holds them
+  const joints = [await seenJoint(page, 4), await seenJoint(page, 9)];  // no bar holds two hydrogens
   for (const joint of joints) await click(joint);
   const [row] = await list();
   const names = await page.evaluate((two) => two.map((joint) => P.session.model.nameOf(joint)), joints);

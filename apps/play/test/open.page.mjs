@@ -76,16 +76,6 @@ test('shows markup in a name as text', async () => {
   assert.equal(await page.$('#message img, #title img'), null);
 });
 
-test('makes a random graph of a class', async () => {
-  await page.click('#generate-open');
-  await page.selectOption('#generate-class', 'n-cycle');
-  await page.fill('#generate-cycles', '2');
-  await page.click('#generate-make');
-  await titled('n-cycle');
-  const {joints, bars} = await page.evaluate(() => P.session.model);
-  assert.equal(Object.keys(bars).length / 2, joints - 1 + 2);
-});
-
 test('opens the same molecule with angles', async () => {
   await page.selectOption('#examples', 'butane.sdf');
   await titled('butane');

@@ -5,6 +5,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {before, describe, test} from 'node:test';
 import {message, openExample, root, saved, settle, sharedPage} from './support/browser.mjs';
+import {superpose} from '../page/record/superpose.mjs';
 
 const START = readFileSync(join(root, 'data', 'molecules', 'peptide_20.pdb'), 'utf8');
 
@@ -45,10 +46,12 @@ const walk = async () => {
   await page.waitForFunction(() => P.path.found?.over && !P.path.isOn);
 };
 const note = () => page.textContent('#path-note');
-const distance = (frame, other) => page.evaluate(([a, b]) => {
-  const {frames} = P.stage;
-  return P.stage.rmsdBetween(frames.at(a).positions, frames.at(b).positions);
-}, [frame, other]);
+const distance = async (frame, other) => {
+  const [a, b, which] = await page.evaluate((numbers) => [
+    ...numbers.map((k) => [...P.stage.frames.at(k).positions]), [...P.stage.measured()],
+  ], [frame, other]);
+  return superpose(a, b, which).rmsd;
+};
 
 test('it grows frame by frame, and arrives', async () => {
   await page.evaluate(() => {

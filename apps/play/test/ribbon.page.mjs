@@ -124,34 +124,6 @@ test('a frame is at most four draw calls in each style, also of several walkers'
   for (const [name, count] of Object.entries(calls)) assert.ok(count >= 1 && count <= 4, `${name}: ${count}`);
 });
 
-test('side by side, each pane has its ribbon', async () => {
-  const panes = await page.evaluate(() => {
-    const {view, session} = P;
-    view.allocate(2);
-    view.split = true;
-    view.setPositions(session.positions, 0);
-    view.setPositions(session.positions, 1);
-    P.stage.look();
-    view.fit();
-    view.draw();
-    const gl = view.renderer.gl;
-    const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
-    const pixels = new Uint8Array(4 * w * h);
-    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    const found = [0, 0];
-    for (let k = 0; k < w * h; ++k)
-      if (Math.abs(pixels[4 * k] - pixels[4 * k + 2]) > 60) found[Number(k % w > w / 2)] += 1;
-    view.split = false;
-    view.allocate(1);
-    view.setPositions(session.positions);
-    P.stage.look();
-    P.stage.mark();
-    view.fit();
-    return found;
-  });
-  assert.ok(Math.min(...panes) > 300 && Math.abs(panes[0] - panes[1]) < 0.05 * panes[0] + 20, `${panes}`);
-});
-
 test('a surface covers more than the ribbon and follows the atoms', async () => {
   await style('surface');
   const before = await picture();

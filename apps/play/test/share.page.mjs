@@ -2,8 +2,7 @@
 // What is handed on: the page with the session inside, pictures, films, SD files.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
-import {before, describe, test} from 'node:test';
-import {inflateSync} from 'node:zlib';
+import {after, before, describe, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {drag, openExample, openPage, saved, seenJoint, settle, sharedPage} from './support/browser.mjs';
 
@@ -30,6 +29,7 @@ before(async () => {
   await release();
   await page.waitForFunction(() => !P.hand.busy);
   await page.evaluate(async () => {
+    await P.session.limitSteps(0);  // no step is too late on a busy machine
     await P.session.change({technique: 'bfs_cycle', damping: 0.25});
     P.session.togglePin(5);
     for (let k = 0; k < 3; ++k) await P.session.pull([[2, 30, k, -9]], k === 0);
@@ -37,6 +37,7 @@ before(async () => {
     await P.session.pull([[7, -12, 40, 1]]);
   });
 });
+after(() => page.evaluate(() => P.session.limitSteps(100)));
 
 async function savedByButton() {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#share')]);
@@ -59,7 +60,7 @@ test('one file with the session inside: the same bits, and it goes on', async ()
   assert.deepEqual(other.requests.filter((url) => !/^(blob|data|file):/.test(url)), []);
   const undone = [];
   for (const tab of [page, other]) {
-    await tab.evaluate(async () => { await P.session.pull([[1, 20, 3, 4]]); await P.session.undo(); await P.session.undo(); });
+    await tab.evaluate(async () => { await P.session.limitSteps(0); await P.session.pull([[1, 20, 3, 4]]); await P.session.undo(); await P.session.undo(); });
     undone.push(await bitsOf(tab));
   }
   assert.deepEqual(undone[1], undone[0]);
@@ -129,22 +130,9 @@ test('a picture 3840 wide without its ground', async () => {
   assert.equal(await page.evaluate(() => P.view.size.width < 1100), true);
 });
 
-/** Chunks of a PNG: [name, bytes]. */
-function chunksOf(bytes) {
-  const found = [];
-  for (let at = 8; at < bytes.length; at += 12 + bytes.readUInt32BE(at))
-    found.push([bytes.toString('latin1', at + 4, at + 8), bytes.subarray(at + 8, at + 8 + bytes.readUInt32BE(at))]);
-  return found;
-}
-
-test('a loop as an animated PNG, and a film', async () => {
+test('a film', async () => {
   await page.evaluate(async () => { for (let k = 0; k < 4; ++k) await P.session.pull([[2, 30, 9, -9]]); });
-  const chunks = chunksOf(readFileSync((await saved(page, 'apng')).path));
-  const count = await page.evaluate(() => P.stage.frames.length);
-  assert.equal(chunks.find(([name]) => name === 'acTL')[1].readUInt32BE(0), 2 * count - 2);
-  for (const [name, bytes] of chunks)
-    if (name === 'IDAT' || name === 'fdAT') assert.ok(inflateSync(bytes.subarray(name === 'IDAT' ? 0 : 4)).length > 3);
-  const film = readFileSync((await saved(page, 'webm')).path);
+  const film = readFileSync((await saved(page, 'video')).path);
   assert.deepEqual([...film.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]);
   assert.ok(film.length > 1000);
 });

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "call.hpp"
 
-#include "edits/edit_calls.hpp"
-#include "edits/why_call.hpp"
-#include "open_calls.hpp"
-#include "path_calls.hpp"
+#include "calls.hpp"
 #include "pliant/base/choices.hpp"
-#include "recorded_call.hpp"
-#include "sample_call.hpp"
-#include "step_calls.hpp"
-#include "steps/order_calls.hpp"
-#include "steps/replay_calls.hpp"
-#include "steps/select_call.hpp"
-#include "steps/twin_calls.hpp"
 
 namespace pliant::play {
 namespace {
@@ -21,12 +11,10 @@ constexpr CallEntry table[] = {
     {"boot", boot},
     {"open", open},
     {"example", example},
-    {"structgen", structgen},
     {"settings", settings},
     {"pull", pull},
     {"resolution", resolution},
     {"wander", wander},
-    {"sample", sample_frames},
     {"path", begin_path},
     {"path_steps", path_steps},
     {"again", again},
@@ -39,14 +27,9 @@ constexpr CallEntry table[] = {
     {"pair", pair},
     {"why", why},
     {"step_limit", step_limit},
-    {"twin", begin_twin},
-    {"twin_step", twin_step},
-    {"twin_end", end_twin},
     {"force_file", force_file},
     {"replay", begin_replay},
     {"replay_steps", replay_steps},
-    {"ordering_file", ordering_file},
-    {"ordering", ordering},
     {"select", select_joints_of},
 };
 

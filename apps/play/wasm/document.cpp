@@ -7,7 +7,6 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/framework/fingerprint.hpp"
-#include "pliant/model/atoms/residue_nodes.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/rigidity/dilution_picture.hpp"
 #include "pliant/model/rigidity/rigidity.hpp"
@@ -117,7 +116,6 @@ Document document_of(MolecularModel built, const std::string& name) {
   Structure& made = built.structure;
   auto kept = std::make_shared<const Structure>(made);
   const Rigidity rigidity = analyse_rigidity(made, built.contacts);
-  ResidueNodes nodes = residue_nodes(made);
   const bool has_residues = usual_model(made) == ModelKind::protein;
   const std::size_t coloured = coloured_clusters(made, rigidity.found.clusters);
   Document document{made.title.empty() ? name : made.title,
@@ -131,7 +129,6 @@ Document document_of(MolecularModel built, const std::string& name) {
                     std::move(built.contacts),
                     rigidity.found.clusters,
                     {},
-                    {std::move(nodes.positions), std::move(nodes.chain), std::move(nodes.of_atom)},
                     has_residues,
                     coloured};
   document.made = std::move(kept);

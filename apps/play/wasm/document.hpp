@@ -15,7 +15,6 @@
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/path/path.hpp"
 #include "pliant/rigidity/rigid_clusters.hpp"
-#include "pliant/sample/network/elastic_network.hpp"
 #include "reply.hpp"
 
 namespace pliant::play {
@@ -32,7 +31,6 @@ struct Document {
   std::vector<MolecularContact> contacts;
   ClusterList clusters;  ///< rigid clusters of atoms; none for a graph
   std::vector<std::string> warnings;
-  NetworkNodes nodes = {};    ///< of an elastic network; none for a graph
   bool has_residues = false;  ///< of a polymer
   std::size_t coloured_clusters = 0;
   std::shared_ptr<const Structure> file = nullptr;  ///< the molecule as read; null for a graph

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "open_calls.hpp"
+#include "calls.hpp"
 
 #include <algorithm>
 
 #include "pliant/base/version.hpp"
 #include "pliant/lab/examples/examples.hpp"
-#include "pliant/lab/generate/random_graphs.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/order/ordering.hpp"
 #include "pliant/resolve/techniques.hpp"
-#include "pliant/sample/samplers.hpp"
 #include "session.hpp"
 
 namespace pliant::play {
@@ -32,24 +30,10 @@ Json techniques_told() {
   return rows;
 }
 
-Json samplers_told() {
-  Json rows = Json::array({{{"name", "auto"}, {"title", "what fits the molecule"}}});
-  for (const SamplerEntry& row : samplers())
-    rows.push_back({{"name", row.name}, {"title", row.summary}, {"amplitude", row.has_amplitude}});
-  return rows;
-}
-
 Json models_told() {
   Json rows = Json::array({{{"name", "auto"}, {"title", "what fits the molecule"}}});
   for (const ModelEntry& row : models())
     rows.push_back({{"name", row.name}, {"title", row.summary}});
-  return rows;
-}
-
-Json classes_told() {
-  Json rows = Json::array();
-  for (const GraphClass& row : graph_classes())
-    rows.push_back({{"name", row.name}, {"family", row.family}, {"title", row.summary}});
   return rows;
 }
 
@@ -109,11 +93,9 @@ Known known_of(const Json& fields) {
 Reply boot(const Request&) {
   Reply reply;
   reply.fields = {{"version", version()},
-                  {"samplers", samplers_told()},
                   {"techniques", techniques_told()},
                   {"weightings", {0.5, 0.75, 1.0}},
                   {"models", models_told()},
-                  {"classes", classes_told()},
                   {"examples", examples_told()}};
   return reply;
 }
@@ -126,24 +108,6 @@ Reply open(const Request& request) {
 Reply example(const Request& request) {
   const Example& row = find_example(request.fields.value("name", ""));
   return begin_session(graph_document(std::string(row.name), row.framework, row.positions));
-}
-
-Reply structgen(const Request& request) {
-  const Json& asked = request.fields.at("options");
-  const GraphClass& kind = find_graph_class(asked.value("class", "tree"));
-  GenerateOptions options;
-  options.depth = asked.value("depth", options.depth);
-  options.children = asked.value("children", options.children);
-  options.ring = asked.value("ring", options.ring);
-  options.cycles = asked.value("cycles", options.cycles);
-  options.joints = asked.value("joints", options.joints);
-  options.box = asked.value("box", options.box);
-  check(options);
-  RandomKey key;
-  key.seed = asked.value("seed", std::uint64_t{0});
-  GeneratedGraph graph = generate(kind, options, key);
-  return begin_session(graph_document(std::string(kind.name) + ", seed " + std::to_string(key.seed),
-                                      std::move(graph.framework), std::move(graph.positions)));
 }
 
 }  // namespace pliant::play

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "path_calls.hpp"
+#include "calls.hpp"
 
 #include <chrono>
 #include <string>

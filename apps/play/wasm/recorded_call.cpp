@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recorded_call.hpp"
+#include "calls.hpp"
 
 #include "pliant/base/elements.hpp"
 #include "pliant/jobs/asked/guide_asked.hpp"

@@ -31,22 +31,10 @@ Session::Session(Document document)
 
 void Session::set(const RunOptions& options) {
   crowd_.clear();
-  RunOptions wanted = with_ordering(options);
+  RunOptions wanted = options;
   wanted.resolve.should_stop = [clock = clock_] { return clock->is_over(); };
   walk_->set(wanted);
   options_ = std::make_shared<const RunOptions>(std::move(wanted));
-}
-
-RunOptions Session::with_ordering(RunOptions options) const {
-  options.technique.ordering = options.technique.name == "input" ? ordering_ : nullptr;
-  return options;
-}
-
-void Session::order(std::shared_ptr<const Ordering> ordering) {
-  ordering_ = std::move(ordering);
-  RunOptions options = this->options();
-  if (ordering_) options.technique.name = "input";
-  set(options);
 }
 
 void Session::pin(std::vector<Joint> joints) {
@@ -126,21 +114,13 @@ std::vector<std::unique_ptr<SteeredWalk>>& Session::crowd(std::size_t walkers, b
   return crowd_;
 }
 
-const MadeStep& Session::last_step() const {
-  if (stopped_) return *stopped_;
-  if (done_.empty() || befores_.empty()) throw OptionError("again: no step has been made");
-  return done_.back();
-}
-
-const State& Session::before_last_step() const {
-  return stopped_ ? state() : befores_.back().state;
-}
-
 StepReport Session::again(const RunOptions& options, State& after) const {
-  const MadeStep& last = last_step();
+  if (!stopped_ && (done_.empty() || befores_.empty()))
+    throw OptionError("again: no step has been made");
+  const MadeStep& last = stopped_ ? *stopped_ : done_.back();
   if (last.act != Act::pull) throw OptionError("again: the last step was no pull");
-  SteeredWalk other(last.edited ? last.edited->framework : document_.framework, before_last_step(),
-                    with_ordering(options));
+  SteeredWalk other(last.edited ? last.edited->framework : document_.framework,
+                    stopped_ ? state() : befores_.back().state, options);
   other.pin(*last.pinned);
   if (last.longest_step > 0.0) other.hold_back(last.longest_step);
   StepReport report = make_step(other, *clock_, [&] { return other.pull(last.forces); });

@@ -16,7 +16,6 @@
 namespace pliant::play {
 
 class Replay;
-class Twin;
 
 class Session {
  public:
@@ -45,10 +44,6 @@ class Session {
   /// Ends steps of a person that take longer, by the clock, and takes them back; 0: never.
   void set_step_limit(double milliseconds) { clock_->milliseconds = milliseconds; }
   const std::shared_ptr<StepClock>& clock() const { return clock_; }
-  /// The sequence of the bars for technique `input`, in place of that of the file; null: none.
-  void order(std::shared_ptr<const Ordering> ordering);
-  /// The options with the technique's ordering, where it takes one.
-  RunOptions with_ordering(RunOptions options) const;
   /// Makes one step.
   StepReport pull(const std::vector<JointForce>& forces);
   /// The same, watching the technique bar by bar. Throws OptionError if that is not possible; no
@@ -61,13 +56,10 @@ class Session {
   /// as walker k. They continue from the last call if `goes_on` and nothing has happened since;
   /// otherwise they start from the session.
   std::vector<std::unique_ptr<SteeredWalk>>& crowd(std::size_t walkers, bool goes_on);
-  /// Repeats the last pull from its start with other options, without changing the session. Throws
-  /// OptionError if there was none.
+  /// Repeats the last pull, also one that the clock has ended, from its start with other options,
+  /// without changing the session; the report refers to the state `after` it. Throws OptionError if
+  /// there was none.
   StepReport again(const RunOptions& options, State& after) const;
-  /// The last step, also one that the clock has ended, and the state before it. Throws OptionError
-  /// if there was none, or what was before it is no longer kept.
-  const MadeStep& last_step() const;
-  const State& before_last_step() const;
   /// Makes an event of a force file happen; of several steps the first alone. Returns what a step
   /// did. Settings that follow each other come into force together, with the next event of another
   /// kind: settle() brings them into force after the last.
@@ -75,8 +67,6 @@ class Session {
   void settle();
   /// Settings from which those of a force file begin.
   void begin_events(const RunOptions& options) { unsettled_ = options; }
-  /// A second walker beside the session's, with another technique; null: none.
-  std::shared_ptr<Twin> twin;
   /// A force file that is being replayed; null: none.
   std::shared_ptr<Replay> replay;
   /// Takes back so many steps and edits, or all that are kept. Returns how many these were.
@@ -111,7 +101,6 @@ class Session {
   std::size_t most_befores_;
   std::vector<std::unique_ptr<SteeredWalk>> crowd_;
   std::shared_ptr<StepClock> clock_ = std::make_shared<StepClock>();
-  std::shared_ptr<const Ordering> ordering_;
   std::optional<RunOptions> unsettled_;         ///< settings that are not in force yet
   std::shared_ptr<const RunOptions> start_by_;  ///< made the start whole; null: the usual ones
   double longest_step_ = 0.0;                   ///< Angstrom, as MadeStep

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "step_calls.hpp"
+#include "calls.hpp"
 
 #include "edits/joint_words.hpp"
 #include "pliant/base/error.hpp"
@@ -80,29 +80,6 @@ Reply with_bars(const StepReport& report, KeptResiduals& residuals) {
   return reply;
 }
 
-Reply film_of(const std::function<StepReport(const OnBar*)>& step, KeptResiduals& residuals) {
-  Visits visits(session().framework().bar_count());
-  const OnBar note = [&](const RepairedBar& visit) { visits.note(visit); };
-  std::string why;
-  StepReport report;
-  try {
-    report = step(&note);
-  } catch (const OptionError& error) {
-    why = error.what();
-    report = step(nullptr);
-  }
-  Reply reply = with_bars(report, residuals);
-  reply.add("pushed", numbers_of(report.pushed));
-  reply.fields["whole"] = true;
-  if (why.empty()) {
-    visits.add_to(reply);
-  } else {
-    reply.fields["events"] = nullptr;
-    reply.fields["why"] = why;
-  }
-  return reply;
-}
-
 namespace {
 
 /// Steps of several walkers, which leave the session where it is.
@@ -124,14 +101,29 @@ Reply pull(const Request& request) {
   return with_bars(session().pull(forces_of(request.fields)), session().residuals());
 }
 
+/// Techniques that are no orderings refuse to be watched: `events` is then null.
 Reply resolution(const Request& request) {
   take_pins(request.fields);
   const std::vector<JointForce> forces = forces_of(request.fields);
-  return film_of(
-      [&](const OnBar* on_bar) {
-        return on_bar ? session().pull_watched(forces, *on_bar) : session().pull(forces);
-      },
-      session().residuals());
+  Visits visits(session().framework().bar_count());
+  std::string why;
+  StepReport report;
+  try {
+    report = session().pull_watched(forces, [&](const RepairedBar& visit) { visits.note(visit); });
+  } catch (const OptionError& error) {
+    why = error.what();
+    report = session().pull(forces);
+  }
+  Reply reply = with_bars(report, session().residuals());
+  reply.add("pushed", numbers_of(report.pushed));
+  reply.fields["whole"] = true;
+  if (why.empty()) {
+    visits.add_to(reply);
+  } else {
+    reply.fields["events"] = nullptr;
+    reply.fields["why"] = why;
+  }
+  return reply;
 }
 
 Reply wander(const Request& request) {
@@ -170,8 +162,7 @@ Reply forces(const Request&) {
 
 Reply again(const Request& request) {
   State after;
-  const RunOptions options = with_settings(session().options(), request.fields);
-  return reply_of(session().again(options, after));
+  return reply_of(session().again(with_settings(session().options(), request.fields), after));
 }
 
 Reply undo(const Request& request) {

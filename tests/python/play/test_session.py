@@ -200,7 +200,6 @@ REFUSED = [
     ("pull", {"forces": [], "pins": [99]}, "pinned joint 99 of 24 does not exist"),
     ("pull", {"forces": [[1, None, 0, 0]]}, "request: "),
     ("example", {"name": "nothing"}, 'no example named "nothing"'),
-    ("structgen", {"options": {"class": "forest"}}, 'no class of graphs named "forest"'),
 ]
 
 
@@ -220,23 +219,6 @@ def test_nothing_is_open_at_first(solver):
     assert solver
     with Solver() as fresh, pytest.raises(ValueError, match=r"^nothing is open$"):
         fresh.ask("pull", forces=[])
-
-
-GLUCOSE = ROOT / "data/molecules/glucose.cif"  # a ring that takes other forms
-
-
-@pytest.mark.filterwarnings("ignore:no bond can rotate:pliant.PliantWarning")
-@pytest.mark.parametrize("path", [PEPTIDE, CAFFEINE, GLUCOSE], ids=lambda path: path.name)
-def test_frames_of_a_sample_are_those_of_the_library(solver, path):
-    solver.open(path, "auto")
-    drag(solver, steps=1)
-    stands = solver.ask("state")
-    made = solver.ask("sample", frames=3, first_frame=2, seed=5)["frames"]
-    structure = pliant.read(str(path))
-    structure.perceive_bonds()
-    native = pliant.sample(structure, 3, seed=5, first_frame=2)
-    assert [frame["positions"]["sha1"] for frame in made] == [sha1(x) for x in native.positions]
-    assert solver.ask("state") == stands
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last push again, with other techniques, counted and side by side.
+// The last push again, with other techniques, counted.
 import {$, element, fillSelect, guarded, shortNumber} from './dom.mjs';
 
 const SKIPPED = new Set(['auto']);
@@ -7,7 +7,6 @@ const SKIPPED = new Set(['auto']);
 export class Compare {
   constructor(stage, session, view) {
     Object.assign(this, {stage, session, view});
-    this.beside = null;  // set by main
     this.rows = [];
     $('compare').onclick = () => guarded(() => this.repeat($('other').value));
     $('compare-all').onclick = () => guarded(() => this.repeatAll());
@@ -25,35 +24,36 @@ export class Compare {
     $('compared').tBodies[0].replaceChildren();
   }
 
+  get weighting() {
+    return Number($('other-weighting').value);
+  }
+
   own() {
-    const {settings} = this.session;
     const {last} = this.stage;
     if (!last) throw new Error('Push something first: then the same push can be repeated.');
-    return {...last, technique: settings.technique, weighting: settings.weighting, isOwn: true};
+    return {...last, technique: this.session.settings.technique, isOwn: true};
   }
 
   async repeat(technique) {
     const own = this.own();
-    const weighting = Number($('other-weighting').value);
-    const reply = await this.beside.begin({technique, weighting}, true);
+    const row = {...await this.session.compare(technique, this.weighting), technique};
     if (!this.rows.length) this.rows.push(own);
-    this.rows.push({...reply, technique, weighting});
+    this.rows.push(row);
     this.show();
   }
 
   async repeatAll() {
     const own = this.own();
-    const weighting = Number($('other-weighting').value);
     this.rows = [own];
     for (const {name} of this.techniques)
-      if (!SKIPPED.has(name)) this.rows.push(await this.tried(name, weighting));
+      if (!SKIPPED.has(name)) this.rows.push(await this.tried(name));
     this.show();
   }
 
   /** What a technique cannot do (a tree's alone on a graph with cycles) is said in its row. */
-  async tried(technique, weighting) {
+  async tried(technique) {
     try {
-      return {...await this.session.compare(technique, weighting), technique, weighting};
+      return {...await this.session.compare(technique, this.weighting), technique};
     } catch (error) {
       return {technique, why: error.message};
     }

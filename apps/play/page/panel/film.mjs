@@ -87,11 +87,4 @@ export class Film {
   wave() {
     return Float32Array.from(this.passed, (k) => (k < 0 ? 0 : Math.exp((k - this.at) / FADE_BARS)));
   }
-
-  /** How the push ended, as the solver says. */
-  get verdict() {
-    const {reply} = this;
-    if (reply.stopped) return `stopped after ${reply.stopped.milliseconds} ms`;
-    return reply.converged === false ? 'not whole' : 'whole';
-  }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A force file: its pushes as a list, repeated on the molecule that is open, step by step, to the bits of
-// `pliant run --forces`; and repeated under other techniques, counted.
-import {$, element, fillSelect, guarded, say, shortNumber, units, whenChosen} from './dom.mjs';
+// `pliant run --forces`.
+import {$, element, guarded, say, units, whenChosen} from './dom.mjs';
 
 const SLICE = {milliseconds: 30, most: 50};  // of a replay between two frames of the screen
 const WORDS = {pull: 'force', wander: 'random push', set: 'set', pin: 'pin', 'hold back': 'hold back', start: 'start'};
@@ -18,15 +18,12 @@ function modelOf(header, known) {
 }
 
 export class Forces {
-  constructor(session, stage, beside) {
-    Object.assign(this, {session, stage, beside});
-    this.runs = [];
+  constructor(session, stage) {
+    Object.assign(this, {session, stage});
     whenChosen('forces-file', (name, bytes) => this.open(name, bytes));
     $('forces-play').onclick = () => guarded(() => this.play(!this.isPlaying));
     $('forces-step').onclick = () => guarded(() => this.advance(1));
-    $('forces-again').onclick = () => guarded(() => this.repeat(null));
-    $('forces-with').onclick = () => guarded(() => this.repeat(this.other()));
-    $('forces-beside').onclick = () => guarded(() => this.repeat(null, this.other()));
+    $('forces-again').onclick = () => guarded(() => this.repeat());
     session.on('open', () => this.left());
     session.on('undone', () => this.left());
     session.on('step', (step) => step.isRepeated || this.left());
@@ -35,11 +32,6 @@ export class Forces {
 
   fill(facts) {
     this.facts = facts;
-    fillSelect($('forces-other'), facts.techniques.map(({name}) => ({name})), 'bfs_cycle');
-  }
-
-  other() {
-    return {technique: $('forces-other').value, weighting: Number($('forces-weighting').value)};
   }
 
   async open(name, bytes) {
@@ -52,26 +44,24 @@ export class Forces {
     this.header = header;
     this.file = {name, bytes};
     this.model = modelOf(header, this.facts.models.map((row) => row.name));
-    this.runs = [];
-    await this.begin(null);
+    await this.begin();
     $('forces-panel').open = true;
     if (!header.input.length && header.joints === undefined && session.model.kind !== 'graph')
       say(`${name} does not say for which model it was made: the one that is open (${session.model.model}) is a guess.`, true);
   }
 
   /** The molecule from its start, with the file's model, and the file from its first step. */
-  async begin(technique, beside = null) {
+  async begin() {
     const {session} = this;
     this.isBusy = true;
     try {
       const model = this.model ?? session.source.model;
       await session.begin({...session.source, ...(model === undefined ? {} : {model})});
-      if (beside) await this.beside.begin(beside);
-      this.list = await session.ask('replay', {...this.file, ...technique});
+      this.list = await session.ask('replay', this.file);
     } finally {
       this.isBusy = false;
     }
-    this.run = {name: technique?.technique ?? 'as the file says', steps: 0, sweeps: 0, projections: 0, broken: 0};
+    this.steps = 0;
     this.next = 0;
     this.isOver = this.list.steps === 0;
     this.isReady = true;
@@ -87,7 +77,7 @@ export class Forces {
   }
 
   async play(isOn) {
-    if (isOn && (!this.isReady || this.isOver)) await this.begin(null);
+    if (isOn && (!this.isReady || this.isOver)) await this.begin();
     this.isPlaying = isOn;
     this.show();
     while (this.isPlaying && this.isReady && !this.isOver) {
@@ -106,37 +96,24 @@ export class Forces {
     reply.frames.forEach((frame, k) => this.took(frame, k === reply.frames.length - 1 ? reply : {}));
     await this.session.tookEdits(reply.edits);
     this.isBusy = false;
-    if (this.beside.isOn) this.beside.repeated(reply.frames, reply);
     this.next = reply.next;
     this.session.settings = reply.settings;
     this.session.tell('settings', reply.settings);
     this.session.pins = new Set([...reply.pins, ...(this.session.model.pinned ?? [])]);
     this.session.tell('pins', this.session.pins);
-    if (reply.over) this.ended();
+    this.isOver = reply.over;
     this.show();
   }
 
   took(frame, {broken, residuals, worst}) {
-    const {run, session} = this;
-    run.steps += 1;
-    run.sweeps += frame.sweeps;
-    run.projections += frame.projections;
-    if (!frame.converged) run.broken += 1;
+    const {session} = this;
+    this.steps += 1;
     session.strokes.push(1);
     session.stand({...frame, broken, residuals, worst, isRepeated: true});
   }
 
-  ended() {
-    this.isOver = true;
-    this.run.end = this.session.positions.slice();
-    this.runs.push(this.run);
-    this.compare();
-  }
-
-  /** From the start with another technique; or as the file says, and the other beside it. */
-  async repeat(technique, beside = null) {
-    if (!this.file) throw new Error('Open a force file first.');
-    await this.begin(technique, beside);
+  async repeat() {
+    await this.begin();
     await this.play(true);
   }
 
@@ -151,22 +128,9 @@ export class Forces {
     if (more > 0) $('forces-list').append(element('li', `and ${more.toLocaleString('en')} more`));
   }
 
-  compare() {
-    const [first] = this.runs;
-    const fewest = Math.min(...this.runs.filter((run) => !run.broken).map((run) => run.projections));
-    $('forces-compared').tBodies[0].replaceChildren(...this.runs.map((run) => {
-      const line = element('tr');
-      const apart = run === first ? '–' : shortNumber(rmsOf(run.end, first.end));
-      for (const text of [run.name, run.steps, run.sweeps.toLocaleString('en'), run.projections.toLocaleString('en'), run.broken, apart])
-        line.append(element('td', String(text)));
-      line.classList.toggle('best', run.projections === fewest && !run.broken);
-      return line;
-    }));
-  }
-
   show() {
     const hasFile = Boolean(this.file);
-    for (const id of ['forces-again', 'forces-with', 'forces-beside', 'forces-play']) $(id).disabled = !hasFile;
+    for (const id of ['forces-again', 'forces-play']) $(id).disabled = !hasFile;
     $('forces-step').disabled = !this.isReady || this.isOver;
     $('forces-play').textContent = this.isPlaying ? 'Pause' : 'Play';
     $('forces-play').setAttribute('aria-pressed', Boolean(this.isPlaying));
@@ -176,7 +140,7 @@ export class Forces {
 
   told() {
     if (!this.file) return 'Drop a force file, or choose one: its pushes are repeated on what is open.';
-    const steps = `${this.file.name}: step ${(this.run?.steps ?? 0).toLocaleString('en')} of ${units(this.list.steps, 'step')}`;
+    const steps = `${this.file.name}: step ${(this.steps ?? 0).toLocaleString('en')} of ${units(this.list.steps, 'step')}`;
     if (!this.isReady) return `${steps}. The session has gone its own way since: Play begins again.`;
     return this.isOver ? `${steps}: all repeated.` : steps;
   }
@@ -189,11 +153,4 @@ export class Forces {
     row.setAttribute('aria-current', 'step');
     row.parentElement.scrollTop = row.offsetTop - row.parentElement.offsetTop - 40;
   }
-}
-
-/** Angstrom, without turning one onto the other. */
-function rmsOf(a, b) {
-  let sum = 0;
-  for (let k = 0; k < a.length; ++k) sum += (a[k] - b[k]) ** 2;
-  return Math.sqrt(3 * sum / Math.max(1, a.length));
 }

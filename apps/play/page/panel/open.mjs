@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is opened: a file by choosing or dropping, an example, a random graph, a trajectory.
+// What is opened: a file by choosing or dropping, an example, a trajectory.
 import {$, element, guarded, say} from './dom.mjs';
 import {openFrame} from '../record/ensemble_model.mjs';
 import {isHdf5, readH5md} from '../record/hdf5.mjs';
@@ -37,8 +37,6 @@ export class Open {
     Object.assign(this, {session, stage, hand});
     $('file').onchange = () => this.chosen();
     $('examples').onchange = () => this.example();
-    $('generate-open').onclick = () => $('generate').showModal();
-    $('generate').onclose = () => this.generated();
     stage.on('began', (model) => this.began(model));
     this.acceptDrops();
   }
@@ -53,23 +51,6 @@ export class Open {
       groups.get(kind).append(new Option(titleOf(name), name));
     }
     $('examples').append(...groups.values());
-    this.fillGenerate(facts.classes ?? []);
-  }
-
-  fillGenerate(classes) {
-    const select = element('select', '', {id: 'generate-class'});
-    for (const {name} of classes) select.append(new Option(name, name));
-    const note = () => {
-      $('generate-note').textContent = classes.find(({name}) => name === select.value)?.title ?? '';
-    };
-    select.onchange = note;
-    const rows = [element('label', 'Class', {for: 'generate-class'}), select];
-    for (const [name, title, least, value] of SIZES) {
-      rows.push(element('label', title, {for: `generate-${name}`}),
-        element('input', '', {id: `generate-${name}`, type: 'number', min: least, value, step: 1}));
-    }
-    $('generate-rows').replaceChildren(...rows);
-    if (classes.length) note();
   }
 
   acceptDrops() {
@@ -101,7 +82,6 @@ export class Open {
     say('');
     if (isHdf5(bytes)) return this.openTrajectory(name, bytes, known.ensemble);
     if (begins(bytes, 'pliant-forces')) return this.forces.open(name, bytes);
-    if (begins(bytes, 'pliant-ordering')) return this.order.open(name, bytes);
     return this.waiting(name, () => this.session.openFile(name, bytes, model, known));
   }
 
@@ -133,15 +113,6 @@ export class Open {
     return this.openBytes(name, new TextEncoder().encode(text), model);
   }
 
-  generated() {
-    if ($('generate').returnValue !== 'make') return undefined;
-    $('generate').returnValue = '';
-    const options = {class: $('generate-class').value};
-    for (const [name] of SIZES) options[name] = Number($(`generate-${name}`).value);
-    say('');
-    return guarded(() => this.waiting(options.class, () => this.session.generate(options)));
-  }
-
   /** Says that a file is being read; where it cannot be, what was open stays open. */
   async waiting(name, action) {
     const title = [...$('title').childNodes];
@@ -159,10 +130,3 @@ export class Open {
     if (model.warnings?.length) say(model.warnings.join('\n'), true);
   }
 }
-
-// Name in `structgen`, title, least value, default.
-const SIZES = [
-  ['seed', 'Seed', 0, 1], ['joints', 'Joints of a tree (0: by depth)', 0, 0],
-  ['depth', 'Levels of a tree', 1, 4], ['children', 'Most children', 1, 3],
-  ['ring', 'Most joints of a ring', 3, 8], ['cycles', 'Cycles of an n-cycle', 0, 3],
-];

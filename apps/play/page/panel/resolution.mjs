@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // "Show resolution" of the thesis: the repair of one push in slow motion, bar by bar, with the bar in
-// hand, its near and far end, and a wave where the repair has passed. Beside it, in step, the same push
-// with another technique, where there is one (panel/beside.mjs).
+// hand, its near and far end, and a wave where the repair has passed.
 import {$, guarded, say, units} from './dom.mjs';
 import {Film} from './film.mjs';
 import {offerExample} from './resolution_offer.mjs';
@@ -17,7 +16,6 @@ function duration(seconds) {
 export class Resolution {
   constructor(stage, session, view, hand) {
     Object.assign(this, {stage, session, view, hand});
-    this.beside = null;  // set by Beside
     $('resolution').onchange = () => this.toggle($('resolution').checked);
     $('resolution-skip').onclick = () => this.finish();
     $('film-skip').onclick = () => this.finish();
@@ -25,22 +23,9 @@ export class Resolution {
     $('film-back').onclick = () => this.stepBy(-1);
     $('film-next').onclick = () => this.stepBy(1);
     $('film-quick').onclick = () => this.hurry();
-    $('resolution-speed').oninput = () => this.films && this.show();
+    $('resolution-speed').oninput = () => this.film && this.show();
     stage.on('began', () => this.forget());
     for (const what of ['settings', 'open']) session.on(what, () => $('resolution').checked && this.offer());
-  }
-
-  get isShowing() {
-    return Boolean(this.films);
-  }
-
-  /** The film of the session's own push, of the left pane. */
-  get film() {
-    return this.films?.[0].reply ?? null;
-  }
-
-  get at() {
-    return this.films?.[0].at ?? 0;
   }
 
   get perSecond() {
@@ -62,21 +47,18 @@ export class Resolution {
     this.finish();
     const reply = await this.session.resolution(forces);
     reply.forces = forces;
-    const other = this.beside?.isOn ? await this.beside.film() : null;
     if (!reply.events) {
       this.offer();
       say(`${this.session.settings.technique} places many joints at once: the push has been resolved as a whole. ` +
         'Panel Bar by bar offers what can be shown.', true);
-      return this.land([reply, other]);
+      return this.land(reply);
     }
-    return this.start([reply, other]);
+    return this.start(reply);
   }
 
-  start(replies) {
+  start(reply) {
     const {stage, session} = this;
-    const films = replies.filter((reply) => reply?.events);
-    this.replies = replies;
-    this.films = films.map((reply) => new Film(reply, stage.model, session.settings));
+    this.film = new Film(reply, stage.model, session.settings);
     this.due = 0;
     this.before = null;
     this.isPaused = false;
@@ -87,64 +69,53 @@ export class Resolution {
     this.show();
   }
 
-  get longest() {
-    return Math.max(...this.films.map((film) => film.count));
-  }
-
-  /** In step: both films have made the same number of visits, until one is over. */
-  get visit() {
-    return Math.max(...this.films.map((film) => film.at));
-  }
-
   tick(now) {
-    if (!this.films) return;
+    if (!this.film) return;
     const passed = this.before === null ? 0 : Math.min(0.1, (now - this.before) / 1000);
     this.before = now;
     if (this.isPaused) return;
     this.due += passed * this.perSecond;
     const visits = Math.floor(this.due);
     this.due -= visits;
-    if (visits) this.goTo(this.visit + visits);
-    if (this.visit >= this.longest && this.due > 0.5) this.finish();
+    if (visits) this.goTo(this.film.at + visits);
+    if (this.film.isOver && this.due > 0.5) this.finish();
   }
 
   goTo(visit) {
-    for (const film of this.films) film.goTo(Math.max(0, visit));
+    this.film.goTo(Math.max(0, visit));
     this.show();
   }
 
   pause(isOn) {
-    if (!this.films) return;
+    if (!this.film) return;
     this.isPaused = isOn;
     this.show();
   }
 
   /** One visit further or back; a film that runs stops there. */
   stepBy(visits) {
-    if (!this.films) return;
+    if (!this.film) return;
     this.isPaused = true;
-    this.goTo(Math.min(this.longest, this.visit + visits));
+    this.goTo(Math.min(this.film.count, this.film.at + visits));
   }
 
   hurry() {
-    if (!this.films) return;
-    const speed = Math.log10(Math.max(1, (this.longest - this.visit) / SHORT));
+    if (!this.film) return;
+    const speed = Math.log10(Math.max(1, (this.film.count - this.film.at) / SHORT));
     $('resolution-speed').value = Math.min(Number($('resolution-speed').max), Math.ceil(speed * 10) / 10);
     this.pause(false);
   }
 
   show() {
-    const {stage, view} = this;
-    const [own, other] = this.films;
-    stage.strain.set(own.off);
+    const {stage, view, film} = this;
+    stage.strain.set(film.off);
     view.setStrain(stage.strain);
-    view.setPositions(own.positions);
-    view.setLit(own.lit);
-    stage.mark(own.wave());
-    if (other) this.beside.show(other);
-    stage.film = this.state(own);
+    view.setPositions(film.positions);
+    view.setLit(film.lit);
+    stage.mark(film.wave());
+    stage.film = this.state(film);
     stage.tell('film');
-    this.say(own);
+    this.say(film);
   }
 
   /** What the readout shows: the film's moment, not the end of the push. */
@@ -160,7 +131,7 @@ export class Resolution {
   }
 
   say(film) {
-    const left = (this.longest - this.visit) / this.perSecond;
+    const left = (film.count - film.at) / this.perSecond;
     const visits = `visit ${film.at.toLocaleString('en')} of ${film.count.toLocaleString('en')}, sweep ${film.sweep}`;
     $('film-text').textContent = `${visits} · ${this.isPaused ? 'paused' : `${duration(left)} left`}`;
     $('film-pause').textContent = this.isPaused ? 'Go on' : 'Pause';
@@ -171,17 +142,16 @@ export class Resolution {
   }
 
   finish() {
-    if (!this.films) return;
-    const {replies} = this;
-    const counts = this.films.map((film) => units(film.count, 'visit'));
-    const part = this.film.whole === false ? ', shown in part: there were more' : '';
+    if (!this.film) return;
+    const {count, reply} = this.film;
+    const part = reply.whole === false ? ', shown in part: there were more' : '';
     this.forget();
-    $('said').textContent = `${counts.join(' against ')} of bars${part}`;
-    this.land(replies);
+    $('said').textContent = `${units(count, 'visit')} of bars${part}`;
+    this.land(reply);
   }
 
   forget() {
-    this.films = this.replies = null;
+    this.film = null;
     this.stage.holdsStrain = false;
     this.stage.fading = true;
     this.stage.film = null;
@@ -193,10 +163,9 @@ export class Resolution {
   }
 
   /** The end of the push: what the solver says of it. */
-  land([own, other]) {
-    const step = {...own, broken: own.events ? undefined : own.broken, isRepeated: Boolean(other)};
-    if (own.stopped) this.session.stop(step);
-    else this.session.stand(step, own.forces);
-    if (other) this.beside.land(other);
+  land(reply) {
+    const step = {...reply, broken: reply.events ? undefined : reply.broken};
+    if (reply.stopped) this.session.stop(step);
+    else this.session.stand(step, reply.forces);
   }
 }

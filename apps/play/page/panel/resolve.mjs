@@ -38,7 +38,7 @@ export class Resolve {
    * Of a graph that is not known: there they are tried, and the clock stops them. */
   judge(unfit = {}, isGraph = false) {
     this.unfit = unfit;
-    for (const id of ['technique', 'other', 'forces-other'])
+    for (const id of ['technique', 'other'])
       for (const option of $(id).options) {
         const found = unfit[option.value];
         option.disabled = Boolean(found?.refused || (found && !isGraph));

@@ -24,7 +24,7 @@ export class Wander {
     $('wander').textContent = isOn ? 'Stop' : 'Wander';
     $('walkers').disabled = isOn;
     if (isOn) this.room(Math.round(Number($('walkers').value)) || 1);
-    else if (this.view.walkers > 1 && !this.view.split) {
+    else if (this.view.walkers > 1) {
       this.room(1);
       this.stage.live();
     }
@@ -39,7 +39,6 @@ export class Wander {
     this.walkers = Math.min(16, Math.max(1, walkers));
     $('walkers').value = this.walkers;
     if (!this.stage.model || this.view.walkers === this.walkers) return;
-    this.view.split = false;
     this.view.allocate(this.walkers);
     for (let k = 0; k < this.walkers; ++k) this.view.setPositions(this.session.positions, k);
     this.stage.look();

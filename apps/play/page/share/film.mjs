@@ -1,49 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The recording as a film: WebM by the browser's own recorder, as it is played; and a loop, forth and
-// back, as an animated PNG.
-import {animated} from './apng.mjs';
-import {atSize, pixelsOf} from './picture.mjs';
+// The recording as a film, by the browser's own recorder, as it is played.
 
-const [LOOP_WIDTH, MOST_FRAMES, LOOP_TIME] = [480, 48, 50];  // pixels, frames forth, ms a frame
-const KINDS = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
+// The first that the browser writes: WebM plays in all of them, Safari records MP4 alone.
+const KINDS = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm', 'video/mp4'];
+
+/** "video/webm", or what this browser has in place of it; undefined if it records no video. */
+const kind = () => globalThis.MediaRecorder && KINDS.find((name) => MediaRecorder.isTypeSupported(name));
+export const filmEnding = () => (kind()?.includes('mp4') ? 'mp4' : 'webm');
 
 function checked(stage) {
   if (stage.frames.length < 2) throw new Error('Nothing has been recorded that moves: pull on a joint first.');
-}
-
-/** Frames of the loop: there and back, none twice in a row. */
-function loopOf(length, most = MOST_FRAMES) {
-  const count = Math.min(length, most);
-  const there = Array.from({length: count}, (_, k) => Math.round(k * (length - 1) / (count - 1)));
-  return [...there, ...there.slice(1, -1).reverse()];
-}
-
-export async function loopPicture({view, stage}) {
-  checked(stage);
-  const at = stage.at;
-  try {
-    return await atSize(view, LOOP_WIDTH, async (height) => {
-      const pictures = new Map();
-      const order = loopOf(stage.frames.length);
-      for (const k of order) {
-        if (pictures.has(k)) continue;
-        stage.show(k);
-        pictures.set(k, pixelsOf(view, LOOP_WIDTH, height).data);
-      }
-      return animated(order.map((k) => pictures.get(k)), LOOP_WIDTH, height, LOOP_TIME);
-    });
-  } finally {
-    if (at === null) stage.live();
-    else stage.show(at);
-  }
 }
 
 /** Plays the recording once, at the speed chosen, and records the canvas meanwhile. */
 export async function film({view, stage, transport}) {
   checked(stage);
   const canvas = view.renderer.canvas;
-  const mimeType = globalThis.MediaRecorder && KINDS.find((kind) => MediaRecorder.isTypeSupported(kind));
-  if (!mimeType || !canvas.captureStream) throw new Error('This browser records no WebM video; the loop is an animated PNG.');
+  const mimeType = kind();
+  if (!mimeType || !canvas.captureStream) throw new Error('This browser records no video.');
   const stream = canvas.captureStream(30);
   const recorder = new MediaRecorder(stream, {mimeType, videoBitsPerSecond: 8e6});
   const pieces = [];
@@ -57,7 +31,7 @@ export async function film({view, stage, transport}) {
   recorder.stop();
   await ended;
   for (const track of stream.getTracks()) track.stop();
-  return new Blob(pieces, {type: 'video/webm'});
+  return new Blob(pieces, {type: mimeType});
 }
 
 const [SLICE, STILL, LONGEST_WAIT] = [100, 500, 5000];  // ms: of a piece, of the last frame, for a first piece

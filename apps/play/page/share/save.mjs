@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What can be saved besides files of positions: by its name in the menu, {parts, ending, type}.
-import {film, loopPicture} from './film.mjs';
+import {film, filmEnding} from './film.mjs';
 import {largePicture} from './picture.mjs';
 import {sdfText} from './sdf.mjs';
 import {sharedPage} from './share.mjs';
@@ -15,6 +15,5 @@ export const SAVES = {
   share: {make: async (parts) => [await sharedPage(parts)], ending: 'html', type: 'text/html'},
   sdf: {make: sdf, ending: 'sdf', type: 'chemical/x-mdl-sdfile'},
   large: {make: async ({view}) => [await largePicture(view)], ending: 'png', type: 'image/png'},
-  apng: {make: async (parts) => [await loopPicture(parts)], ending: 'loop.png', type: 'image/png'},
-  webm: {make: async (parts) => [await film(parts)], ending: 'webm', type: 'video/webm'},
+  video: {make: async (parts) => [await film(parts)], ending: filmEnding(), type: `video/${filmEnding()}`},
 };

@@ -2,7 +2,7 @@
 // Share: the page with the session inside, in one file. What was recorded is there bit by bit; and
 // what the solver was asked for, which it does once more where the file is opened, so that the session
 // goes on from where it was.
-import {toDense, fromDense} from '../dense.mjs';
+import {fromBase64, toBase64} from '../base64.mjs';
 import {guarded, say} from '../panel/dom.mjs';
 import {pageWith} from './document.mjs';
 import {differences, packed, summed, unpacked} from './pack.mjs';
@@ -39,14 +39,14 @@ export async function packedSession(parts) {
 
 /** Text of a page with this session. Throws Error if nothing is open. */
 export async function sharedPage(parts) {
-  return pageWith({id: BLOCK, text: toDense(await packedSession(parts))});
+  return pageWith({id: BLOCK, text: toBase64(await packedSession(parts))});
 }
 
 /** Opens what Share has put into this page; false if there is nothing. */
 export async function openShared(parts) {
   const block = document.getElementById(BLOCK);
   if (!block) return false;
-  await openPacked(parts, fromDense(block.textContent));
+  await openPacked(parts, fromBase64(block.textContent));
   return true;
 }
 

@@ -120,18 +120,3 @@ export const COLOURINGS = [
 
 /** Tells the colour of each joint, [r, g, b] of 255. */
 export const colouringOf = (name, model, facts) => COLOURINGS.find((row) => row.name === name).of(model, facts);
-
-const text = (colour) => `#${colour.map((x) => x.toString(16).padStart(2, '0')).join('')}`;
-
-/** Sets of colours of which each means something else, and how far apart they have to be in CIELAB
- * whatever the eye sees: categories, contacts by kind, elements of proteins, strain of bars. */
-export function palettes({contactKindNames = [], contactKindColours = []}, {longColour, shortColour, plainColour}) {
-  const named = (list) => Object.fromEntries(list.map((colour, k) => [`${k}`, text(colour)]));
-  const elements = {H: 1, C: 6, N: 7, O: 8, S: 16};
-  return {
-    categories: {colours: named([...CATEGORIES, FLEXIBLE]), least: 14},
-    contacts: {colours: Object.fromEntries(contactKindColours.map((colour, k) => [contactKindNames[k], colour])), least: 15},
-    elements: {colours: Object.fromEntries(Object.entries(elements).map(([name, k]) => [name, ELEMENTS[k]])), least: 20},
-    strain: {colours: {long: longColour, short: shortColour, plain: plainColour}, least: 20},
-  };
-}

@@ -137,15 +137,6 @@ export class Renderer {
     gl.viewport(0, 0, width, height);
   }
 
-  /** A part of the picture alone, in pixels; null: all of it. */
-  within(box) {
-    const {gl, canvas} = this;
-    const place = box ?? [0, 0, canvas.width, canvas.height];
-    gl[box ? 'enable' : 'disable'](gl.SCISSOR_TEST);
-    gl.viewport(...place);
-    gl.scissor(...place);
-  }
-
   clear([red, green, blue], opacity = 1) {
     const {gl} = this;
     gl.clearColor(red, green, blue, opacity);

@@ -65,15 +65,14 @@ export class Hinges {
     }
   }
 
-  write({label, now}, isSeen) {
-    label.hidden = !isSeen;
+  write({label, now}) {
+    label.hidden = !this.isShown;
     const {x, y} = this.view.orbit.project(now[1]);
     label.style.transform = `translate(${Math.round(x + 8)}px, ${Math.round(y - 20)}px)`;
   }
 
   draw(view) {
-    const isSeen = this.isShown && !view.split;
-    for (const row of this.rows) this.write(row, isSeen);
-    if (isSeen) drawSolids(view, this.rows.flatMap(({now, colour}) => shaft(now, colour)));
+    for (const row of this.rows) this.write(row);
+    if (this.isShown) drawSolids(view, this.rows.flatMap(({now, colour}) => shaft(now, colour)));
   }
 }

@@ -10,7 +10,6 @@ export function numbersSeen(view, x, y, edge) {
     view.patch = new Target(edge, edge);
   }
   uniforms.picking.value = 1;
-  uniforms.firstWalker.value = 0;
   view.count(1);
   renderer.into(view.patch);
   view.paintAll(orbit.projectionOf(x, y, edge, edge), [0, 0, 0], 0);

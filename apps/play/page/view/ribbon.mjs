@@ -98,9 +98,7 @@ function strips(pieces, segments, sides) {
 export class Ribbon {
   /** `shared`: the uniforms of the picture. */
   constructor(shared) {
-    this.uniforms = {
-      ...shared, pieces: {value: null}, sides: {value: ROUND}, ribbonScale: {value: 1},
-    };
+    this.uniforms = {...shared, pieces: {value: null}, sides: {value: ROUND}};
     this.mesh = new Mesh(null, {vertex: ribbonVertex, fragment: ribbonFragment}, this.uniforms, {isVisible: false});
     this.count = 0;
     this.segments = 8;

@@ -7,7 +7,6 @@ import {shading, shared} from './shaders.mjs';
 export const ribbonVertex = shared + /* glsl */`
 uniform isampler2D pieces;  // three texels a piece: CA before, from, to, after; their O; CA beyond, flags
 uniform int sides;
-uniform float ribbonScale;
 uniform vec3 lit, hoverColour, waveColour;
 flat out vec3 colourFrom, colourTo;
 flat out ivec2 ends;        // the CA of both residues
@@ -51,15 +50,14 @@ void roundStrip(vec3 middle, vec3 side, vec3 over, vec3 size) {
 }
 void main() {
   int piece = int(position.z), walker = gl_InstanceID;
-  int seen = walker + firstWalker;
   ivec4 k = texelFetch(pieces, texel(3 * piece), 0), o = texelFetch(pieces, texel(3 * piece + 1), 0);
   ivec4 more = texelFetch(pieces, texel(3 * piece + 2), 0);
   int flags = more.z;
-  vec3 z = place(seen, more.x), a = place(seen, k.x), b = place(seen, k.y), c = place(seen, k.z),
-       d = place(seen, k.w), e = place(seen, more.y);
+  vec3 z = place(walker, more.x), a = place(walker, k.x), b = place(walker, k.y), c = place(walker, k.z),
+       d = place(walker, k.w), e = place(walker, more.y);
   vec3 across = cross(b - a, d - c) + vec3(1e-4, 2e-4, 3e-4);  // where there is no O
-  vec3 ga = guide(a, o.x, seen, flags & 1, across), gb = guide(b, o.y, seen, flags & 2, across),
-       gc = guide(c, o.z, seen, flags & 4, across), gd = guide(d, o.w, seen, flags & 8, across);
+  vec3 ga = guide(a, o.x, walker, flags & 1, across), gb = guide(b, o.y, walker, flags & 2, across),
+       gc = guide(c, o.z, walker, flags & 4, across), gd = guide(d, o.w, walker, flags & 8, across);
   vec3 p = smoothed(z, a, b, flags & 16), q = smoothed(a, b, c, flags & 32),
        r = smoothed(b, c, d, flags & 64), s = smoothed(c, d, e, flags & 128);
   float t = position.x;
@@ -72,7 +70,6 @@ void main() {
   vec3 size = mix(sizeOf(flags >> 8 & 3), sizeOf(flags >> 10 & 3), share);
   if ((flags & 4096) != 0) size = vec3(t > 0. ? mix(1.95, .2, t) : size.x, size.y, 1.);
   if ((flags & 8192) != 0 && t == 0. || (flags & 16384) != 0 && t == 1.) size.xy *= .05;
-  size.xy *= ribbonScale;
   if (sides == 2) flatStrip(middle, tangent, side, size.xy);
   else roundStrip(middle, side, cross(tangent, side), size);
   along = t;

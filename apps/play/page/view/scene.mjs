@@ -48,7 +48,6 @@ export class View {
     this.depthLook = new DepthLook(this.uniforms, QUAD, this.isSmooth ? 4 : 0);
     this.patch = new Target(1, 1);
     this.walkers = this.detail = this.ratio = 1;
-    this.split = false;
     this.style = 'balls';
     this.showAllBars = false;
     this.showContacts = true;
@@ -73,7 +72,6 @@ export class View {
   /** Draws another model: joints, bars, bonds, contacts, trace; `unit` as in the shaders. */
   open(model, positions) {
     this.model = model;
-    this.split = false;
     this.quality.reset();
     this.ribbon.open(model, positions);
     this.allocate(1);
@@ -98,7 +96,6 @@ export class View {
     for (const texture of Object.values(this.textures?.all ?? {})) this.renderer.forget(texture);
     this.textures = new Textures(this.model, walkers);
     this.walkers = walkers;
-    this.second = {};  // values of uniforms that the right of two panes has in place of the left's
     const {textures, uniforms} = this;
     for (const [name, texture] of Object.entries(textures.all)) uniforms[name].value = texture;
     uniforms.joints.value = this.model.joints;
@@ -171,7 +168,8 @@ export class View {
     this.size = {width, height};
     this.ratio = this.isSmooth ? ratio : 1;
     this.scale();
-    this.fit();
+    this.orbit.resize(width, height);
+    this.stale = true;
   }
 
   /** Pixels of the picture: fewer while something moves. */
@@ -180,13 +178,6 @@ export class View {
     const ratio = this.ratio * this.detail;
     canvas.width = Math.max(1, Math.floor(this.size.width * ratio));
     canvas.height = Math.max(1, Math.floor(this.size.height * ratio));
-  }
-
-  /** The camera sees one of two panes, or the whole. */
-  fit() {
-    const {width, height} = this.size;
-    this.orbit.resize(this.split ? width / 2 : width, height);
-    this.stale = true;
   }
 
   count(walkers) {
@@ -222,8 +213,6 @@ export class View {
     this.renderer.into(null);
     if (!this.model) return this.renderer.clear(this.ground);
     this.setFog();
-    if (this.split) return this.drawSplit();
-    this.uniforms.firstWalker.value = 0;
     this.count(this.walkers);
     this.render();
     for (const overlay of this.overlays) overlay.draw(this);
@@ -247,30 +236,6 @@ export class View {
     uniforms.projectionMatrix.value = projection;
     renderer.clear(ground, opacity);
     for (const mesh of [ribbon.mesh, balls, sticks, trace]) renderer.draw(mesh);
-  }
-
-  /** Two walkers beside each other under one camera. */
-  drawSplit() {
-    const {width, height} = this.renderer.canvas;
-    for (const pane of [0, 1]) {
-      this.renderer.within([Math.floor(pane * width / 2), 0, Math.floor(width / 2), height]);
-      this.uniforms.firstWalker.value = pane;
-      this.count(1);
-      const first = pane ? this.exchange(this.second) : {};
-      this.paintAll();
-      this.exchange(first);
-    }
-    this.renderer.within(null);
-  }
-
-  /** Puts these values of uniforms in place; the ones before them. */
-  exchange(values) {
-    const before = {};
-    for (const [name, value] of Object.entries(values)) {
-      before[name] = this.uniforms[name].value;
-      this.uniforms[name].value = value;
-    }
-    return before;
   }
 
   /** What is seen at a place in CSS pixels: {joint} or {bar}, or null. A joint up to `reach` beside

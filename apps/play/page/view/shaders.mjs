@@ -12,7 +12,7 @@ in vec3 position;
 uniform highp sampler2D positions;  // x, y, z of joint j of walker w at texel w * joints + j
 uniform highp sampler2D look;       // colour of a joint, radius / 4 Angstrom
 uniform highp sampler2D marks;      // r: pinned, g: how lately the repair passed here
-uniform int width, joints, firstWalker;
+uniform int width, joints;
 uniform float ballScale, unit;      // unit: length of a usual bar / 1.5 Angstrom
 uniform isampler2D members;         // numbers of those that are drawn, where not all are
 uniform int memberCount;            // 0: all
@@ -71,7 +71,7 @@ void main() {
   ivec2 which = member(gl_InstanceID, joints);
   joint = which.x;
   int walker = which.y;
-  centre = place(walker + firstWalker, joint);
+  centre = place(walker, joint);
   colour = texelFetch(look, texel(joint), 0).rgb;
   radius = ballRadius(joint);
   ring = 0;
@@ -136,33 +136,32 @@ uniform highp sampler2D strain;        // relative deviation of a bar
 uniform highp sampler2D limits;        // of a contact: least, at the start, most
 uniform int barCount, firstContact;
 uniform float byTautness;              // 1: contacts in the colour of how near they are to a limit
-uniform float stickRadius, residualScale, litBar;
+uniform float stickRadius, litBar;
 uniform vec4 kindRadius;               // of bonds, other bars, contacts, all in shares of stickRadius
-uniform vec3 longColour, shortColour, plainColour, litColour;
-uniform float splitColours;            // 1: each half takes the colour of its joint
+uniform vec3 longColour, shortColour, litColour;
 vec3 tautness(vec3 l, float now) {     // TAUTNESS of colours.mjs
   float t = clamp(now > l.y ? (now - l.y) / max(l.z - l.y, 1e-3) : l.x > 0. ? (l.y - now) / max(l.y - l.x, 1e-3) : 0., 0., 1.);
   vec3 between = vec3(.94, .706, 0.);
   return t < .5 ? mix(vec3(.263, .576, .765), between, 2. * t) : mix(between, vec3(.698, .094, .169), 2. * t - 1.);
 }
 float shownStrain(float s) {           // 0 at 1e-4 of the length, 1 at a tenth of it
-  return clamp((log(abs(s) * residualScale + 1e-9) / log(10.) + 4.) / 3., 0., 1.);
+  return clamp((log(abs(s) + 1e-9) / log(10.) + 4.) / 3., 0., 1.);
 }
 void main() {
   ivec2 which = member(gl_InstanceID, barCount);
   bar = which.x;
   int walker = which.y;
   ivec4 b = texelFetch(bars, texel(bar), 0);
-  from = place(walker + firstWalker, b.x);
-  to = place(walker + firstWalker, b.y);
+  from = place(walker, b.x);
+  to = place(walker, b.y);
   float s = walker == 0 ? texelFetch(strain, texel(bar), 0).r : 0.;
   float t = shownStrain(s);
   float share = b.z == 0 ? kindRadius.x : b.z == 1 ? kindRadius.y : kindRadius.z;
   if (b.z == 1 && t > .25) share = max(share, .45);
   radius = stickRadius * unit * share * (1. + .5 * t);
   dashes = b.z == 2 ? 1. : 0.;
-  colourFrom = mix(plainColour, texelFetch(look, texel(b.x), 0).rgb, splitColours);
-  colourTo = mix(plainColour, texelFetch(look, texel(b.y), 0).rgb, splitColours);
+  colourFrom = texelFetch(look, texel(b.x), 0).rgb;
+  colourTo = texelFetch(look, texel(b.y), 0).rgb;
   if (b.z == 2) colourFrom = colourTo = vec3(b.w >> 16 & 255, b.w >> 8 & 255, b.w & 255) / 255.;
   if (b.z == 2 && byTautness > .5) {
     colourFrom = colourTo = tautness(texelFetch(limits, texel(bar - firstContact), 0).xyz, distance(from, to));
@@ -188,7 +187,7 @@ vec3 spline(vec3 a, vec3 b, vec3 c, vec3 d, float t) {
 }
 void main() {
   int piece = (gl_InstanceID / 5) % pieceCount, part = gl_InstanceID % 5;
-  int walker = gl_InstanceID / (5 * pieceCount) + firstWalker;
+  int walker = gl_InstanceID / (5 * pieceCount);
   ivec4 k = texelFetch(controls, texel(piece), 0);
   vec3 a = place(walker, k.x), b = place(walker, k.y), c = place(walker, k.z), d = place(walker, k.w);
   from = spline(a, b, c, d, float(part) / 5.);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edits/edit_calls.hpp"
+#include "calls.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edits/why_call.hpp"
+#include "calls.hpp"
 
 #include <span>
 #include <vector>

@@ -36,11 +36,6 @@ std::int64_t count_of(const ForceEvent& event) {
   return 1;
 }
 
-bool sets_technique(const ForceEvent& event) {
-  const auto* set = std::get_if<SetOption>(&event.what);
-  return set != nullptr && (set->name == "technique" || set->name == "weighting");
-}
-
 }  // namespace
 
 Replay::Replay(std::string_view text, std::string name, const Document& document)
@@ -50,15 +45,12 @@ Replay::Replay(std::string_view text, std::string name, const Document& document
                                    : events_of(parse_force_file(text, name_, document.framework));
 }
 
-void Replay::begin(Session& session, const std::optional<Technique>& technique) {
+void Replay::begin(Session& session) {
   if (session.state().step != 0)
     throw OptionError("replay: expected a session at its start, which has made no step");
-  RunOptions usual;
-  if (technique) usual.technique = *technique;
-  has_other_technique_ = technique.has_value();
   next_ = 0;
   in_event_ = done_ = 0;
-  session.begin_events(usual);
+  session.begin_events({});
 }
 
 std::optional<StepReport> Replay::apply(Session& session, const ForceEvent& event) const {
@@ -72,8 +64,7 @@ std::optional<StepReport> Replay::apply(Session& session, const ForceEvent& even
 std::optional<StepReport> Replay::step(Session& session) {
   while (next_ < events_.size()) {
     const ForceEvent& event = events_[next_];
-    std::optional<StepReport> made;
-    if (!has_other_technique_ || !sets_technique(event)) made = apply(session, event);
+    std::optional<StepReport> made = apply(session, event);
     if (++in_event_ >= count_of(event)) {
       ++next_;
       in_event_ = 0;

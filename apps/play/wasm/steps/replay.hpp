@@ -24,9 +24,8 @@ class Replay {
   std::size_t next() const { return next_; }
   bool is_over() const { return next_ == events_.size(); }
 
-  /// Begins at the start of `session`, which must have made no step. With `technique` the file's
-  /// own has no say. Throws OptionError.
-  void begin(Session& session, const std::optional<Technique>& technique);
+  /// Begins at the start of `session`, which must have made no step. Throws OptionError.
+  void begin(Session& session);
   /// Goes on to the next step. Returns what it did; none: there is none left. Throws InputError
   /// naming the line of an event that cannot be.
   std::optional<StepReport> step(Session& session);
@@ -36,7 +35,6 @@ class Replay {
 
   std::string name_;
   std::vector<ForceEvent> events_;
-  bool has_other_technique_ = false;
   std::size_t next_ = 0;       ///< number of the event
   std::int64_t in_event_ = 0;  ///< steps of it that were made
   std::int64_t done_ = 0;

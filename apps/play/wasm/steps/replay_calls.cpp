@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "steps/replay_calls.hpp"
+#include "calls.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -12,8 +12,6 @@
 #include "settings.hpp"
 #include "steps/replay.hpp"
 #include "steps/step_reply.hpp"
-#include "steps/twin.hpp"
-#include "steps/twin_calls.hpp"
 
 namespace pliant::play {
 namespace {
@@ -80,14 +78,10 @@ Replay& replay() {
   return *session().replay;
 }
 
-/// Adds a step as frame number `number`, and what the twin makes of it.
+/// Adds a step as frame number `number`.
 void add_frame(Reply& reply, const StepReport& report, std::size_t number) {
   Json fields = fields_of(report.frame);
   fields["seconds"] = report.seconds;
-  if (session().twin) {
-    const StepReport other = session().twin->step(session().last_step(), nullptr);
-    fields["twin"] = fields_of(other.frame);
-  }
   reply.fields["frames"].push_back(std::move(fields));
   const std::string place = "frames." + std::to_string(number) + ".positions";
   reply.add(place.c_str(), numbers_of(report.frame.positions));
@@ -126,10 +120,7 @@ Reply begin_replay(const Request& request) {
   Session& open = session();
   auto fresh = std::make_shared<Replay>(request.bytes, request.fields.value("name", "force file"),
                                         open.document());
-  std::optional<Technique> technique;
-  if (request.fields.contains("technique"))
-    technique = open.with_ordering(with_settings({}, request.fields)).technique;
-  fresh->begin(open, technique);
+  fresh->begin(open);
   open.replay = fresh;
   Reply reply;
   reply.fields = {{"rows", rows_of(fresh->events())},
@@ -158,10 +149,6 @@ Reply replay_steps(const Request& request) {
     add_frame(reply, *made, k);
   }
   if (!pushed.empty()) add_residuals(reply, pushed);
-  if (session().twin) {
-    reply.add("twin", numbers_of(session().twin->state().positions));
-    add_difference(reply);
-  }
   reply.fields["edits"] = edits_made() - edits;
   reply.fields["done"] = replay().done();
   reply.fields["next"] = replay().next();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "steps/select_call.hpp"
+#include "calls.hpp"
 
 #include "pliant/molecule/selection.hpp"
 #include "session.hpp"

@@ -93,14 +93,21 @@ class Viewer {
     view.setStyle(isOfBars ? 'sticks' : this.style);
     view.setStrain(isOfBars ? this.strainOf(this.frame) : new Float32Array(model.bars.length / 2));
     view.setColours(painting.of);
-    if (facts.viewer) view.draw();
+    if (facts.viewer) this.draw();
+  }
+
+  /** At once as finely as there is time for; at rest it is drawn whole. */
+  draw() {
+    const {quality} = this.view;
+    quality.use(quality.level);
+    this.view.frame();
   }
 
   show(frame) {
     this.frame = Math.max(0, Math.min(this.count - 1, frame));
     this.view.setPositions(this.positionsOf(this.frame));
     if (this.painting.key === 'residual') this.view.setStrain(this.strainOf(this.frame));
-    if (!this.isPlaying) this.view.draw();
+    if (!this.isPlaying) this.draw();
     facts.frame = this.frame;
     $('slider').value = this.frame;
     const {axis: {label, values}, frames} = this.scene;
@@ -134,7 +141,7 @@ class Viewer {
   /** So that the molecule is thinnest along the line of sight. */
   home() {
     this.view.orbit.frame(this.positionsOf(this.frame), this.view.unit);
-    this.view.draw();
+    this.draw();
   }
 
   legend() {

@@ -39,7 +39,7 @@ export class Dataset {
     const layout = chunkLayout(this.find(MESSAGE.layout), this.shape, this.type.size);
     const pipeline = this.find(MESSAGE.filters);
     const filters = pipeline ? filtersOf(pipeline) : [];
-    return this.chunking = {...layout, filters, chunks: chunksOf(this.file.source, layout, filters.length > 0)};
+    return this.chunking = {...layout, filters, chunks: chunksOf(this.file.source, layout)};
   }
 
   /** Rows from..to of all, as a typed array or a list of texts; of a single value: it alone. */
