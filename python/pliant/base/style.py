@@ -42,7 +42,6 @@ DOMAIN_COLOURS = 4 * (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILION)
 MAP = "cividis"
 
 WIDE = (6.4, 2.75)  #: inches: a figure as wide as a page
-SQUARE = (4.6, 4.2)
 PANEL = (5.4, 3.6)  #: of several
 DPI = 150
 DASHED = (0, (4, 2))

@@ -13,8 +13,10 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant._core import InputError, MolecularModel, Structure
-from pliant.measure.sequence import LETTERS, UNKNOWN
+from pliant._core import InputError, MolecularModel, Structure, amino_acid_letters
+
+#: of amino acids, with the names of force fields and of what stands for them in crystals
+LETTERS = amino_acid_letters()
 
 
 @dataclass(frozen=True)
@@ -64,7 +66,7 @@ def trace_of(structure: Structure) -> Trace:
     atoms = np.flatnonzero(is_alpha)
     if len(atoms) < 2:
         raise InputError(f"{structure.source}: fewer than two alpha carbons")
-    letters = (LETTERS.get(str(name), UNKNOWN) for name in structure.residue_names[atoms])
+    letters = (LETTERS.get(str(name), "X") for name in structure.residue_names[atoms])
     return Trace(atoms, "".join(letters), structure.positions[atoms])
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse import csr_matrix
+from scipy.sparse import csr_array, eye_array
 from scipy.spatial import cKDTree
 
 #: outer limits of contact, Angstrom (G. N. Ramachandran, V. Sasisekharan, Adv. Protein Chem. 23
@@ -14,9 +14,6 @@ OUTER_LIMITS = {
     ("N", "N"): 2.6, ("N", "O"): 2.6, ("N", "S"): 3.0,
     ("O", "O"): 2.6, ("O", "S"): 2.9, ("S", "S"): 3.2,
 }  # fmt: skip  # some pairs a line
-
-#: pairs so many bonds apart, or fewer, have no limit
-BONDS_APART = 3
 
 _KINDS = ("C", "N", "O", "S")
 
@@ -36,7 +33,7 @@ class Overlaps:
             one, two = _KINDS.index(a), _KINDS.index(b)
             self._limits[one, two] = self._limits[two, one] = limit
         self._size = len(elements)
-        self._near = _near_pairs(self._size, bonds)
+        self._near = within_three_bonds(bonds, self._size)
 
     def of(self, positions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Keys (k,) of the pairs of atoms that overlap, rising, and by how much (k,), Angstrom.
@@ -60,16 +57,15 @@ def _among(keys: np.ndarray, rising: np.ndarray) -> np.ndarray:
     return np.zeros(len(keys), bool) if len(rising) == 0 else rising[place] == keys
 
 
-def _near_pairs(size: int, bonds: np.ndarray) -> np.ndarray:
-    """Keys of the pairs i < j that are at most BONDS_APART bonds apart."""
+def within_three_bonds(bonds: np.ndarray, count: int) -> np.ndarray:
+    """Keys N i + j, rising, of the N = `count` atoms i < j that are at most three bonds apart."""
     i, j = np.asarray(bonds, dtype=np.int64).reshape(-1, 2).T
-    one = csr_matrix((np.ones(2 * len(i)), (np.r_[i, j], np.r_[j, i])), shape=(size, size))
-    reached = ways = one
-    for _ in range(BONDS_APART - 1):
-        ways = ways @ one
-        reached = reached + ways
-    rows, columns = reached.nonzero()
-    return np.asarray(np.unique(size * rows[rows < columns] + columns[rows < columns]))
+    step = csr_array((np.ones(len(i)), (i, j)), shape=(count, count))
+    step = step + step.T + eye_array(count, format="csr")
+    rows, columns = (step @ step @ step).nonzero()
+    upper = rows < columns
+    keys: np.ndarray = np.sort(rows[upper].astype(np.int64) * count + columns[upper])
+    return keys
 
 
 class ResidueContacts:

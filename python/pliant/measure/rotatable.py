@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from pliant._core import Framework
 from pliant.trajectory.chains import chain_of
 
 if TYPE_CHECKING:
@@ -33,56 +34,6 @@ class Torsion:
     kind: str  #: "phi", "psi", "omega", "chi1" ... where the names of the atoms say so, else ""
     label: str  #: "LYS12 chi1", "C3-C4-C5-O1"
     residue: int  #: resindex of atom j (psi, chi) or k (phi), whose torsion it is
-
-
-def bridges(n_atoms: int, bonds: np.ndarray) -> np.ndarray:
-    """Bonds that are in no ring (bridges of the graph), as a boolean (B,) mask.
-
-    R. E. Tarjan, Inform. Process. Lett. 2 (1974) 160; linear in atoms and bonds, no recursion.
-    """
-    start, neighbours, edges = _adjacency(n_atoms, bonds)
-    found: np.ndarray = np.zeros(len(bonds), dtype=bool)
-    entered = [-1] * n_atoms
-    low = [0] * n_atoms
-    cursor = list(start[:-1])
-    clock = 0
-    for root in range(n_atoms):
-        if entered[root] >= 0:
-            continue
-        entered[root] = low[root] = clock
-        clock += 1
-        path = [(root, -1)]
-        while path:
-            atom, came_by = path[-1]
-            if cursor[atom] < start[atom + 1]:
-                other, edge = neighbours[cursor[atom]], edges[cursor[atom]]
-                cursor[atom] += 1
-                if edge == came_by:
-                    continue
-                if entered[other] < 0:
-                    entered[other] = low[other] = clock
-                    clock += 1
-                    path.append((other, edge))
-                else:
-                    low[atom] = min(low[atom], entered[other])
-                continue
-            path.pop()
-            if path:
-                parent = path[-1][0]
-                low[parent] = min(low[parent], low[atom])
-                found[came_by] = low[atom] > entered[parent]
-    return found
-
-
-def _adjacency(n_atoms: int, bonds: np.ndarray) -> tuple[list[int], list[int], list[int]]:
-    """Neighbours of all atoms one after the other: offsets, other ends, bond numbers (lists)."""
-    bonds = np.asarray(bonds, dtype=np.int64).reshape(-1, 2)
-    ends = np.concatenate([bonds[:, 0], bonds[:, 1]])
-    others = np.concatenate([bonds[:, 1], bonds[:, 0]])
-    numbers = np.tile(np.arange(len(bonds)), 2)
-    order = np.lexsort((others, ends))
-    start = np.concatenate([[0], np.cumsum(np.bincount(ends, minlength=n_atoms))])
-    return start.tolist(), others[order].tolist(), numbers[order].tolist()
 
 
 def is_hydrogen(atomgroup: AtomGroup) -> np.ndarray:
@@ -123,7 +74,8 @@ def rotatable_torsions(
     pairs = np.unique(np.sort(pairs, axis=1), axis=0)
     pairs = pairs[pairs[:, 0] != pairs[:, 1]]
     degree = np.bincount(pairs.ravel(), minlength=len(member))
-    rotatable = bridges(len(member), pairs) & (degree[pairs] > 1).all(axis=1)
+    graph = Framework(pairs, np.ones(len(pairs)), len(member))
+    rotatable = graph.bridges() & (degree[pairs] > 1).all(axis=1)
     namer = _Namer(universe.atoms, pairs)
     return [namer.torsion(j, k) for j, k in pairs[rotatable].tolist()]
 
@@ -139,7 +91,10 @@ class _Namer:
     """Chooses the outer atoms of a torsion and names it."""
 
     def __init__(self, atoms: AtomGroup, bonds: np.ndarray) -> None:
-        self._start, self._others, _ = _adjacency(len(atoms), bonds)
+        self._others: list[list[int]] = [[] for _ in range(len(atoms))]
+        for j, k in bonds.tolist():
+            self._others[j].append(k)
+            self._others[k].append(j)
         self._names = list(atoms.names) if hasattr(atoms, "names") else [""] * len(atoms)
         self._masses = atoms.masses if hasattr(atoms, "masses") else np.zeros(len(atoms))
         self._resindices = atoms.resindices
@@ -159,8 +114,7 @@ class _Namer:
         return Torsion(atoms, kind, self._label(atoms, kind, residue), residue)
 
     def _outer(self, atom: int, other: int) -> int:
-        choices = self._others[self._start[atom] : self._start[atom + 1]]
-        return min((c for c in choices if c != other), key=self._preference)
+        return min((c for c in self._others[atom] if c != other), key=self._preference)
 
     def _preference(self, atom: int) -> tuple[bool, float, str, int]:
         name = self._names[atom]

@@ -20,6 +20,7 @@ from pliant.base.console import (
     stages,
     whole_number,
 )
+from pliant.report.build import Report, print_lines
 from pliant.trajectory.freed_memory import give_back_freed_memory
 from pliant.trajectory.shards.plan import is_ensemble
 
@@ -137,7 +138,6 @@ def _add_output(add: Callable[..., object]) -> None:
 
 
 def _analyse_ensemble(options: argparse.Namespace) -> int:
-    from pliant.report.build import Report, print_lines
     from pliant.report.save import save
     from pliant.report.shards.sections import SECTIONS
     from pliant.shards.flexibility import flexibility
@@ -166,7 +166,6 @@ def _analyse(options: argparse.Namespace) -> int:
     if is_ensemble(options.file):
         return _analyse_ensemble(options)
     # Imported here, so that --help and errors of usage are immediate.
-    from pliant.report.build import print_lines
     from pliant.report.suite import analyse
 
     with warnings.catch_warnings(), stages(options.quiet) as on_stage:

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Rotatable bonds and torsion angles, against networkx, MDAnalysis and angles that were set."""
+"""Rotatable bonds and torsion angles, against MDAnalysis and angles that were set."""
 
 import MDAnalysis
-import networkx
 import numpy as np
 import pliant.mdanalysis  # noqa: F401
 import pytest
 from MDAnalysisTests.datafiles import DCD, PSF
 from pliant.measure import TorsionDistributions, rotatable_torsions
-from pliant.measure.rotatable import bridges, is_hydrogen
+from pliant.measure.rotatable import is_hydrogen
 from pliant.measure.torsions import circular_moments
 
 
@@ -25,24 +24,6 @@ def molecule(elements, bonds, names=None):
 
 def middles(torsions):
     return {tuple(sorted(t.atoms[1:3])) for t in torsions}
-
-
-@pytest.mark.parametrize("seed", range(40))
-def test_bridges_are_those_of_networkx(seed):
-    random = np.random.default_rng(seed)
-    n = int(random.integers(2, 40))
-    pairs = random.integers(0, n, size=(int(random.integers(1, 2 * n)), 2))
-    bonds = np.unique(np.sort(pairs[pairs[:, 0] != pairs[:, 1]], axis=1), axis=0)
-    graph = networkx.Graph()
-    graph.add_nodes_from(range(n))
-    graph.add_edges_from(bonds.tolist())
-    expected = {tuple(sorted(edge)) for edge in networkx.bridges(graph)}
-    assert {tuple(b) for b in bonds[bridges(n, bonds)].tolist()} == expected
-
-
-def test_bridges_of_a_long_chain_need_no_deep_stack():
-    bonds = np.stack([np.arange(200_000), np.arange(1, 200_001)], axis=1)
-    assert bridges(200_001, bonds).all()
 
 
 def test_butane_has_one_rotatable_bond():

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from MDAnalysis.lib.distances import calc_angles, calc_dihedrals, capped_distance
 from pliant.measure.geometry import angles_of, corners_of, out_of_plane, torsions_of
-from pliant.measure.overlaps import Overlaps, ResidueContacts
+from pliant.measure.overlaps import Overlaps, ResidueContacts, within_three_bonds
 from pliant.measure.ramachandran import ALLOWED, FAVOURED, OUTLIER, judged
 from pliant.measure.stereochemistry import Stereochemistry
 
@@ -136,3 +136,11 @@ def test_hydrogens_that_are_absent_do_not_hide_a_hand(peptide):
     corners = corners_of(peptide.bonds, elements, peptide.positions)
     assert set(corners.handed[:, 0].tolist()) <= {1, 6, 11, 16}
     assert set(corners.planar[:, 0].tolist()) <= {2, 7, 12}
+
+
+def test_keys_of_near_atoms_have_room_in_large_molecules():
+    """As 32-bit numbers they would run over from 46 341 atoms on."""
+    count = 50_000
+    keys = within_three_bonds(np.stack([np.arange(count - 1), np.arange(1, count)], axis=1), count)
+    first, last = np.divmod(keys, count)
+    assert len(keys) == 3 * count - 6 and set((last - first).tolist()) == {1, 2, 3}

@@ -8,10 +8,10 @@ Overlaps above 0.4 Angstrom of C, N, O and S four or more bonds apart (Word et a
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse import csr_array, eye_array
 from scipy.spatial import cKDTree
 
 from pliant._core import Structure
+from pliant.measure.overlaps import within_three_bonds
 
 SERIOUS = 0.4  #: Angstrom of overlap
 RADII = {6: 1.70, 7: 1.55, 8: 1.52, 16: 1.80}  #: Angstrom
@@ -50,14 +50,3 @@ class HeavyClashes:
     def score(self, positions: np.ndarray) -> float:
         """Clashes for each 1000 heavy atoms at positions (N, 3), Angstrom."""
         return 1000.0 * len(self.pairs(positions)) / max(self._heavy, 1)
-
-
-def within_three_bonds(bonds: np.ndarray, count: int) -> np.ndarray:
-    """Codes i N + j, i < j, of the N = `count` atoms that are at most three bonds apart."""
-    ones = np.ones(len(bonds))
-    step = csr_array((ones, (bonds[:, 0], bonds[:, 1])), shape=(count, count))
-    step = step + step.T + eye_array(count, format="csr")
-    rows, columns = (step @ step @ step).nonzero()
-    upper = rows < columns
-    codes: np.ndarray = rows[upper].astype(np.int64) * count + columns[upper]
-    return codes

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pliant._core import align
 from pliant.lab.validity.cases import Fluctuation
 from pliant.lab.validity.peers import Network, gnm_fluctuations, network_of
 from pliant.lab.validity.references import BFactors, ReferenceEnsemble
@@ -17,7 +18,6 @@ from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
 from pliant.measure import agreement as alike
 from pliant.measure.agreement import TEN, Figure
-from pliant.measure.sequence import aligned
 
 CLASHES = "clashes of 1000 heavy atoms"
 DRAWS = 100  #: of bootstraps that need principal components
@@ -35,7 +35,7 @@ class Compared:
 
 def compared(subject: Subject, reference: ReferenceEnsemble, last: int | None = None) -> Compared:
     """Our ensemble of seed 0 and a reference, or the first `last` residues of the reference."""
-    residues = aligned(subject.trace.sequence, reference.sequence)
+    residues = align(subject.trace.sequence, reference.sequence)
     residues = residues[residues[:, 1] < (last or np.inf)]
     theirs = alike.superposed_on_mean(reference.frames[:, residues[:, 1]])
     ours = alike.superposed_on_mean(subject.ensemble().frames[:, residues[:, 0]])
@@ -157,7 +157,7 @@ def exact_rows(name: str, looks: Sequence[Stereochemistry]) -> list[Row]:
 
 def change_row(subject: Subject, target: ReferenceEnsemble, name: str, data: str) -> Row:
     """How much of the way to another structure lies within ten modes. Error over our frames."""
-    pairs = aligned(subject.trace.sequence, target.sequence)
+    pairs = align(subject.trace.sequence, target.sequence)
     start = subject.trace.positions[pairs[:, 0]]
     ours = alike.superposed_on_mean(subject.ensemble().frames[:, pairs[:, 0]])
     placed = alike.superposed(start[None], ours.mean(axis=0))[0]
@@ -181,7 +181,7 @@ def change_row(subject: Subject, target: ReferenceEnsemble, name: str, data: str
 
 def path_row(subject: Subject, path: ReferenceEnsemble, name: str, data: str) -> Row:
     """Root of the share of a transition's motion away from the start within ten modes."""
-    pairs = aligned(subject.trace.sequence, path.sequence)
+    pairs = align(subject.trace.sequence, path.sequence)
     start = subject.trace.positions[pairs[:, 0]]
     ours = alike.superposed_on_mean(subject.ensemble().frames[:, pairs[:, 0]])
     ours = alike.superposed(ours, start)

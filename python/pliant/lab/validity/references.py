@@ -11,9 +11,8 @@ import MDAnalysis
 import numpy as np
 
 import pliant
-from pliant.lab.structures import Trace, amino_part, read_quietly, trace_of
+from pliant.lab.structures import LETTERS, Trace, amino_part, read_quietly, trace_of
 from pliant.measure.joined_chains import joined_along
-from pliant.measure.sequence import LETTERS
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What must not change in a frame, measured anew by NumPy and SciPy: nothing of the library's.
+"""What must not change in a frame, measured anew by NumPy and SciPy: nothing of the C++ library's.
 
 Bars, least distances (the table of the page on models), chirality, omega, and the shares of
 residues outside the Ramachandran contour that holds 99 % of well-ordered residues, and of side
@@ -17,7 +17,9 @@ from scipy.ndimage import map_coordinates
 from scipy.spatial import cKDTree
 
 from pliant._core import MolecularModel, Structure
-from pliant.lab.validity.clashes import HeavyClashes, within_three_bonds
+from pliant.lab.validity.clashes import HeavyClashes
+from pliant.measure.geometry import torsions_of
+from pliant.measure.overlaps import within_three_bonds
 
 KINDS = ("C", "N", "NH", "O", "OH", "S", "H", "HC", "M")
 LEAST = np.array(
@@ -106,7 +108,7 @@ class Checker:
         found.worst_overlap = max(found.worst_overlap, float(deep.max(initial=0.0)))
         found.clashes += self._clashes.score(frame)
         found.flipped += int((_volumes(frame, self._centres) * self._sides < 0).sum())
-        turn = _apart(dihedrals(frame, self._omega), dihedrals(self._start, self._omega))
+        turn = _apart(torsions_of(frame, self._omega), torsions_of(self._start, self._omega))
         found.turned += int((turn > ALLOWED_TURN).sum())
         found.worst_turn = max(found.worst_turn, float(turn.max(initial=0.0)))
         found.outliers_of_frames.append(self._outliers(frame))
@@ -115,13 +117,13 @@ class Checker:
     def _outliers(self, positions: np.ndarray) -> float:
         if len(self._phi_psi) == 0:
             return 0.0
-        phi, psi = (dihedrals(positions, self._phi_psi[:, k : k + 4]) for k in (0, 1))
+        phi, psi = (torsions_of(positions, self._phi_psi[:, k : k + 4]) for k in (0, 1))
         return _outside(Rama_ref, (psi + 180.0) / GRID, (phi + 180.0) / GRID)
 
     def _unusual_chis(self, positions: np.ndarray) -> float:
         if len(self._chi) == 0:
             return 0.0
-        chi1, chi2 = (dihedrals(positions, self._chi[:, k : k + 4]) for k in (0, 1))
+        chi1, chi2 = (torsions_of(positions, self._chi[:, k : k + 4]) for k in (0, 1))
         return _outside(Janin_ref, chi2 / CHI_GRID, chi1 / CHI_GRID)
 
 
@@ -248,18 +250,6 @@ def _outside(reference: str, *places: np.ndarray) -> float:
     """Share of places on the grid of a density, which is periodic, outside its lowest contour."""
     density = map_coordinates(np.load(reference), places, order=1, mode="grid-wrap")
     return float((density < OUTLIER_LEVEL).mean())
-
-
-def dihedrals(positions: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Torsions (R,) of rows (R, 4) of atoms, degrees from -180 to 180."""
-    a, b, c, d = (positions[rows[:, k]] for k in range(4))
-    axis = c - b
-    axis = axis / np.linalg.norm(axis, axis=1, keepdims=True)
-    first = np.cross(a - b, axis)
-    last = np.cross(d - c, axis)
-    sine = np.einsum("ni,ni->n", np.cross(first, last), axis)
-    degrees: np.ndarray = np.degrees(np.arctan2(sine, np.einsum("ni,ni->n", first, last)))
-    return degrees
 
 
 def _apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pliant._core import align
 from pliant.lab.sources import Files, Source
 from pliant.lab.structures import Trace, amino_part, chain_part, read_quietly, trace_of
 from pliant.lab.validity.measure import CLASHES
@@ -16,7 +17,6 @@ from pliant.lab.validity.rows import Row
 from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import Subject
 from pliant.measure import agreement as alike
-from pliant.measure.sequence import aligned
 
 
 def state_rows(subject: Subject, goal: Trace, name: str) -> list[Row]:
@@ -32,7 +32,7 @@ def goal_trace(files: Files, source: Source) -> Trace:
 
 def nearest_row(subject: Subject, goal: Trace, name: str) -> Row:
     """R.m.s. distance of alpha carbons of the nearest frame of each sampler."""
-    pairs = aligned(subject.trace.sequence, goal.sequence)
+    pairs = align(subject.trace.sequence, goal.sequence)
     there = goal.positions[pairs[:, 1]]
 
     def nearest(frames: np.ndarray) -> float:

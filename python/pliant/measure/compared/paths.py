@@ -13,8 +13,7 @@ Thorpe, Beckstein, PLoS Comput. Biol. 11 (2015) e1004568):
 from __future__ import annotations
 
 import os
-from dataclasses import asdict, dataclass, field
-from typing import Any
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -148,38 +147,3 @@ def straight_line(first: np.ndarray, last: np.ndarray, frames: int) -> np.ndarra
     end = superpose_onto(last[None], slice(None), first)[0]
     line: np.ndarray = first + np.linspace(0.0, 1.0, frames)[:, None, None] * (end - first)
     return line
-
-
-def as_json(found: PathComparison) -> dict[str, Any]:
-    """All but the table."""
-    kept = asdict(found)
-    del kept["rmsd"]
-    return kept
-
-
-def print_paths(found: PathComparison) -> None:
-    """A table on stdout."""
-    from pliant.base.console import Table, printable_name
-
-    print(f"ours    {printable_name(found.path)}: {found.frames[0]} frames compared")
-    print(f"theirs  {printable_name(found.theirs[0])}: {found.frames[1]} frames compared")
-    print(
-        f"\n{found.residues} residues; first frames {found.ends[0]:.2f} A apart, "
-        f"last {found.ends[1]:.2f} A\n"
-    )
-    table = Table("how near the paths are, Angstrom", ["what", "ours", "straight line"])
-    for what, name in (
-        ("mean of the nearest of theirs", "nearest_theirs"),
-        ("mean of the nearest of ours", "nearest_ours"),
-        ("Hausdorff distance", "hausdorff"),
-        ("Frechet distance", "frechet"),
-    ):
-        values = (f"{getattr(one, name):.2f}" for one in (found.ours, found.line))
-        table.rows.append((what, *values))
-    table.print()
-    print(
-        "\nthe line joins the ends of theirs; a path no nearer to theirs than the line shows "
-        "that a way exists, not which one is taken"
-    )
-    for note in found.notes:
-        print(f"note: {note}")

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from pliant.base import console
 from pliant.base.said import notes_shown_by
+from pliant.report.build import Report, print_lines
 
 EPILOG = """\
 Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. If OpenMM cannot do
@@ -84,7 +85,6 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    from pliant.report.build import Report, print_lines
     from pliant.report.check.check_report import SECTIONS
     from pliant.report.check.suite import check
 

@@ -7,9 +7,15 @@ import argparse
 import pathlib
 import sys
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from pliant._core import OptionError
 from pliant.base import console
+from pliant.report.build import Report, print_lines
+
+if TYPE_CHECKING:
+    from pliant.measure.compared.paths import PathComparison
+    from pliant.report.compare.comparison_report import ComparisonReport
 
 EPILOG = """\
 Exit code: 0 if they were compared, 1 if they cannot be, 2 for a bad option.
@@ -73,12 +79,19 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _compare(arguments: argparse.Namespace) -> int:
-    if arguments.path:
-        return _compare_paths(arguments)
-    from pliant.report.compare.sections import as_json, print_report
+    report: Report[Any] = _of_paths(arguments) if arguments.path else _of_ensembles(arguments)
+    if arguments.json:
+        console.print_json(report.values)
+    else:
+        print_lines(report.lines())
+    return console.EXIT_OK
+
+
+def _of_ensembles(arguments: argparse.Namespace) -> Report[ComparisonReport]:
+    from pliant.report.compare.sections import SECTIONS
     from pliant.report.compare.suite import FRAMES, compare
 
-    report = compare(
+    found = compare(
         arguments.ours,
         arguments.theirs,
         topology=arguments.topology,
@@ -86,15 +99,12 @@ def _compare(arguments: argparse.Namespace) -> int:
         frames=FRAMES if arguments.frames is None else arguments.frames,
         pictures=arguments.output,
     )
-    if arguments.json:
-        console.print_json(as_json(report))
-    else:
-        print_report(report)
-    return console.EXIT_OK
+    return Report(found, SECTIONS)
 
 
-def _compare_paths(arguments: argparse.Namespace) -> int:
-    from pliant.measure.compared.paths import FRAMES, as_json, compare_paths, print_paths
+def _of_paths(arguments: argparse.Namespace) -> Report[PathComparison]:
+    from pliant.measure.compared.paths import FRAMES, compare_paths
+    from pliant.report.compare.path_sections import PATHS
 
     if len(arguments.theirs) > 1:
         raise OptionError(f"--path: expected one file of THEIRS, found {len(arguments.theirs)}")
@@ -107,11 +117,7 @@ def _compare_paths(arguments: argparse.Namespace) -> int:
         select=arguments.select,
         frames=FRAMES if arguments.frames is None else arguments.frames,
     )
-    if arguments.json:
-        console.print_json(as_json(found))
-    else:
-        print_paths(found)
-    return console.EXIT_OK
+    return Report(found, PATHS)
 
 
 if __name__ == "__main__":

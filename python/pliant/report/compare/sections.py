@@ -28,11 +28,6 @@ def print_report(report: ComparisonReport) -> None:
     print_lines(Report(report, SECTIONS).lines())
 
 
-def as_json(report: ComparisonReport) -> Values:
-    """The report as one JSON object; what was not compared is null."""
-    return Report(report, SECTIONS).values
-
-
 def _compared(report: ComparisonReport) -> Iterator[Line]:
     yield f"ours    {printable_name(report.path)}: {_frames(_count(report, 'ours'))}"
     for k, path in enumerate(report.theirs):

@@ -31,6 +31,7 @@ from pliant.measure.compared.reference import read_reference
 from pliant.measure.compared.residue_report import ResidueComparison
 from pliant.measure.compared.residues import LEAST_RESIDUES, compare_residues
 from pliant.measure.compared.trace_of_atoms import trace_of_atoms
+from pliant.measure.rotatable import rotatable_torsions
 from pliant.report.compare.comparison_report import (
     AtomComparison,
     BarLengths,
@@ -258,8 +259,6 @@ def _halves(fitted: np.ndarray) -> float:
 
 def _compare_torsions(ensembles: Ensembles) -> list[TorsionComparison]:
     """phi and psi of a protein, else all rotatable bonds."""
-    from pliant.measure.rotatable import rotatable_torsions
-
     atoms = ensembles.atoms
     if not hasattr(atoms, "bonds"):
         return []

@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from pliant._core import InputError
 from pliant.base.console import EXIT_OK, Parser, run_command
 from pliant.base.input_files import json_object
+from pliant.report.rigidity.rigidity_facts import facts_of_json
+from pliant.report.rigidity.rigidity_page import save_rigidity_page
 
 DESCRIPTION = """\
 Writes the page of pliant rigidity --page FILE, which runs this: what was found comes as JSON on
@@ -26,9 +28,6 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _write(options: argparse.Namespace) -> int:
-    from pliant.report.rigidity.rigidity_facts import facts_of_json
-    from pliant.report.rigidity.rigidity_page import save_rigidity_page
-
     try:
         facts = facts_of_json(json_object(sys.stdin.buffer.read()))
     except (ValueError, KeyError, TypeError):

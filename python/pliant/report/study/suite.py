@@ -17,9 +17,11 @@ from pliant.base.checked import SEED, checked, whole
 from pliant.base.extras import MissingPackageError, need
 from pliant.base.progress import Stages
 from pliant.base.said import noted
+from pliant.checks.force_field.minimise import why_not_file
 from pliant.jobs.path import walk
 from pliant.jobs.process import job_options, molecule_rows, run_job
 from pliant.measure.stages.analysis import AnalysisOptions
+from pliant.report.check.suite import check as check_frames
 from pliant.report.page.additions import Additions
 from pliant.report.representatives import representatives
 from pliant.report.sections.table import STAGES, analyse_trajectory
@@ -215,8 +217,6 @@ class _Task:
         return chosen
 
     def _check(self, found: Study, on_stage: Callable[[str], None]) -> None:
-        from pliant.checks.force_field.minimise import why_not_file
-
         path = str(found.sampled.ensemble)
         found.why_no_check = why_not_file(path) if self.check else "--no-check"
         if found.why_no_check:
@@ -224,8 +224,6 @@ class _Task:
         on_stage("MD starts")
         try:
             need("the check of MD starts", "openmm")
-            from pliant.report.check.suite import check
-
-            found.check = check(path, quiet=self.quiet)
+            found.check = check_frames(path, quiet=self.quiet)
         except (MissingPackageError, Error) as error:
             found.why_no_check = str(error)

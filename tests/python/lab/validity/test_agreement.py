@@ -4,10 +4,10 @@
 import numpy as np
 import pytest
 from expected_warnings import read_without_elements
-from pliant.lab.structures import amino_part, trace_of
+from pliant._core import align
+from pliant.lab.structures import LETTERS, amino_part, trace_of
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
 from pliant.measure import agreement as alike
-from pliant.measure.sequence import LETTERS, aligned
 
 import pliant
 
@@ -96,16 +96,16 @@ def test_an_ensemble_agrees_with_its_other_half_as_its_noise_lets_it():
     ],
 )
 def test_alignments_by_hand(ours, theirs, pairs):
-    assert [tuple(pair) for pair in aligned(ours, theirs).tolist()] == pairs
+    assert [tuple(pair) for pair in align(ours, theirs).tolist()] == pairs
 
 
 def test_alignments_score_as_those_of_biopython():
-    align = pytest.importorskip("Bio.Align")
-    aligner = align.PairwiseAligner(match_score=2, mismatch_score=-1, gap_score=-2)
+    theirs = pytest.importorskip("Bio.Align")
+    aligner = theirs.PairwiseAligner(match_score=2, mismatch_score=-1, gap_score=-2)
     random = np.random.default_rng(10)
     for _ in range(20):
         a, b = ("".join(random.choice(list("ACDE"), random.integers(5, 30))) for _ in "ab")
-        pairs = aligned(a, b)
+        pairs = align(a, b)
         same = sum(a[i] == b[j] for i, j in pairs)
         score = 2 * same - (len(pairs) - same) - 2 * (len(a) + len(b) - 2 * len(pairs))
         assert score == aligner.score(a, b)

@@ -12,7 +12,8 @@ pytest.importorskip("scipy")
 
 from pliant.lab.structures import amino_part  # noqa: E402
 from pliant.lab.validity.clashes import HeavyClashes  # noqa: E402
-from pliant.lab.validity.stereochemistry import Checker, dihedrals  # noqa: E402
+from pliant.lab.validity.stereochemistry import Checker  # noqa: E402
+from pliant.measure.geometry import torsions_of  # noqa: E402
 from scipy.spatial.transform import Rotation  # noqa: E402
 
 
@@ -128,13 +129,6 @@ def test_a_turned_peptide_is_found_by_its_angle(model, start):
         assert found.worst_turn == pytest.approx(degrees)
 
 
-def test_dihedrals_are_those_of_mdanalysis(start):
-    distances = pytest.importorskip("MDAnalysis.lib.distances")
-    rows = np.random.default_rng(0).permutation(len(start))[:400].reshape(100, 4)
-    theirs = distances.calc_dihedrals(*(start[rows[:, k]] for k in range(4)))
-    np.testing.assert_allclose(dihedrals(start, rows), np.degrees(theirs), atol=1e-4)
-
-
 def test_ramachandran_angles_are_those_of_mdanalysis(model):
     mda = pytest.importorskip("MDAnalysis")
     ramachandran = pytest.importorskip("MDAnalysis.analysis.dihedrals").Ramachandran
@@ -144,7 +138,7 @@ def test_ramachandran_angles_are_those_of_mdanalysis(model):
     angles = ramachandran(inner).run().results.angles[0]
     checker = Checker(model)
     rows = checker._phi_psi
-    phi, psi = (dihedrals(np.array(model.positions), rows[:, k : k + 4]) for k in (0, 1))
+    phi, psi = (torsions_of(np.array(model.positions), rows[:, k : k + 4]) for k in (0, 1))
     np.testing.assert_allclose(np.stack([phi, psi], axis=1), angles, atol=1e-3)
 
 
@@ -157,9 +151,9 @@ def test_a_side_chain_over_its_own_backbone_is_unusual(model, start):
     side = np.flatnonzero((structure.residue_ids == 35) & is_side)
     alpha, beta = start[chi1[0, 1:3]]
     axis = (beta - alpha) / np.linalg.norm(beta - alpha)
-    angle = -np.radians(dihedrals(start, chi1)[0])
+    angle = -np.radians(torsions_of(start, chi1)[0])
     turned = start.copy()
     turned[side] = beta + Rotation.from_rotvec(angle * axis).apply(start[side] - beta)
-    assert dihedrals(turned, chi1)[0] == pytest.approx(0.0, abs=1e-6)
+    assert torsions_of(turned, chi1)[0] == pytest.approx(0.0, abs=1e-6)
     found = looked(model, turned)
     assert 80 < 1 / (found.rotamers - found.rotamers_of_start) < 170  # side chains with chi2
