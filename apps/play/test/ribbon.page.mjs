@@ -184,6 +184,7 @@ test('a level is left after three slow pictures, and not at once tried again', a
 });
 
 test('what the browser loses of the picture is made once more', async () => {
+  await page.evaluate(() => { Object.assign(P.view.quality, {isFixed: true}).use(0); });  // however slow
   const first = await picture();
   await page.evaluate(async () => {
     const {gl, canvas} = P.view.renderer;
@@ -199,6 +200,7 @@ test('what the browser loses of the picture is made once more', async () => {
     await isBack;
   });
   assert.equal(differing(first, await picture()), 0);
+  await page.evaluate(() => { P.view.quality.isFixed = false; });
 });
 
 test('no shader is refused', async () => {
