@@ -7,6 +7,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from pliant.measure.stages.analysis import AnalysisOptions
+from pliant.report.sections.table import analyse_trajectory
 
 sys.path.insert(0, str(Path(__file__).parent))  # so that tests can import what lies beside them
 from turned_molecule import SYMBOLS, Molecule, rotated
@@ -110,6 +112,14 @@ def wander():
 def write_run():
     """Function that writes an H5MD file as pliant run does; see `write`."""
     return write
+
+
+@pytest.fixture
+def analysis(tmp_path, peptide, wander, write_run):
+    """Of a dozen frames of the peptide."""
+    trajectory = wander(peptide, peptide.rotatable, 12, degrees=25.0)
+    run = write_run(tmp_path / "run.h5md", peptide, trajectory)
+    return analyse_trajectory(AnalysisOptions(str(run)))
 
 
 def write(path, molecule, trajectory, *, tolerance=1e-6, converged=None, single=False, bars=True):

@@ -7,19 +7,11 @@ import sys
 import threading
 
 import pytest
-from pliant.measure.stages.analysis import AnalysisOptions
 from pliant.report.build import Report
 from pliant.report.figures import draw_in_parallel
-from pliant.report.sections.table import SECTIONS, analyse_trajectory
+from pliant.report.sections.table import SECTIONS
 
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
-
-
-@pytest.fixture
-def analysis(tmp_path, peptide, wander, write_run):
-    trajectory = wander(peptide, peptide.rotatable, 12, degrees=25.0)
-    run = write_run(tmp_path / "run.h5md", peptide, trajectory)
-    return analyse_trajectory(AnalysisOptions(os.fspath(run), None))
 
 
 def two_of(analysis, folder):

@@ -2,7 +2,6 @@
 """Parts of an analysis: found by their types, and left out of the report where they are missing."""
 
 import json
-import os
 from base64 import b64encode
 from dataclasses import replace
 
@@ -11,7 +10,6 @@ import pytest
 from pliant.base.console import Table
 from pliant.base.verdict import Verdict
 from pliant.measure.domains import LOOSE, Domains, Hinge
-from pliant.measure.stages.analysis import AnalysisOptions
 from pliant.measure.stages.parts import ReferenceStructure, Units
 from pliant.report.build import Report
 from pliant.report.section import Fact, Picture
@@ -21,19 +19,12 @@ from pliant.report.sections.headings import SHAPES
 from pliant.report.sections.measured import Measured
 from pliant.report.sections.motions import Components
 from pliant.report.sections.series import Rmsd
-from pliant.report.sections.table import SECTIONS, analyse_trajectory
+from pliant.report.sections.table import SECTIONS
 from pliant.report.sections.torsions import Torsions
 from pliant.report.suite import AnalysisReport
 from pliant.report.write import write_report
 
 from pliant.base import style
-
-
-@pytest.fixture
-def analysis(tmp_path, peptide, wander, write_run):
-    trajectory = wander(peptide, peptide.rotatable, 12, degrees=25.0)
-    run = write_run(tmp_path / "run.h5md", peptide, trajectory)
-    return analyse_trajectory(AnalysisOptions(os.fspath(run)))
 
 
 def shown(analysis, sections=SECTIONS):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from pliant.measure.pockets.pocket_grid import RADII, Room, find_pockets, room_among
 from pliant.measure.pockets.pocket_volumes import Pocket, _is_gap
+from pliant.measure.stages.units import trace_atoms
 from pliant.report.command import main
 from scipy.spatial import Delaunay
 from test_shapes import shell
@@ -160,3 +161,11 @@ def test_structures_and_scripts_show_pocket_and_ligand(protease):
     page = (folder / "report.html").read_text(encoding="utf-8")
     assert "<h2>Pockets</h2>" in page
     assert "not how often it does" in page
+
+
+def test_modified_residues_are_of_their_chain_and_ligands_are_not():
+    universe = pliant.to_mdanalysis(pliant.read(f"{FOLDER}/1hvr.pdb"))
+    names = trace_atoms(universe.atoms).resnames
+    assert len(names) == 198
+    assert np.count_nonzero(names == "CSO") == 2
+    assert "XK2" not in names

@@ -3,8 +3,11 @@
 
 import numpy as np
 import pytest
+from cut_by_box import BOXES, cut_pdb
 from made_trajectories import Made, molecule_run, moved
+from pliant.checks.force_field.minimise import start_of
 from pliant.trajectory.chosen_frames import choose_frames
+from real_files import PEPTIDE
 
 import pliant
 
@@ -241,3 +244,19 @@ def test_the_same_seed_breaks_the_same_way(written):
     reports = [pliant.check(written, seed=s, **FEW) for s in (1, 1, 2)]
     before = [r.methods[0].results[0].residual_before for r in reports]
     assert before[0] == before[1] != before[2]
+
+
+@pytest.mark.parametrize("with_cell", [True, False])
+def test_a_start_that_its_periodic_box_cuts(tmp_path, with_cell):
+    """Is made whole, and refused if the file does not say how large the box is."""
+    peptide, path = pliant.read(PEPTIDE), tmp_path / "cut.pdb"
+    path.write_text(cut_pdb(peptide, BOXES["right"], with_cell=with_cell))
+    if with_cell:
+        ends = start_of("none.h5md", peptide, path)[peptide.bonds]
+        assert np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).max() < 2.5
+        return
+    with (
+        pytest.warns(pliant.PliantWarning, match="cut by a periodic box"),
+        pytest.raises(pliant.InputError, match=r"cut\.pdb: bond A:.* cut by a periodic box; make"),
+    ):
+        start_of("none.h5md", peptide, path)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """pliant.compare on trajectories whose answer is known, and what it says when they do not fit."""
 
+import importlib.util
 import json
 
 import MDAnalysis
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 from made_trajectories import molecule_run
 from pliant.report.compare.command import main
+from real_files import DIPEPTIDE, ROOT
 
 import pliant
 
@@ -310,3 +312,30 @@ def test_a_bad_option_ends_with_2(words, message, capsys):
         main(["out.h5md", "out.dcd", *words])
     assert stopped.value.code == 2
     assert capsys.readouterr().err.splitlines()[0] == f"pliant compare: error: {message}"
+
+
+@pytest.mark.long
+def test_dynamics_and_pliant_side_by_side(tmp_path, capsys):
+    """The example with real OpenMM dynamics, run short: amber14 in implicit solvent."""
+    path = ROOT / "python" / "examples" / "openmm_dynamics.py"
+    spec = importlib.util.spec_from_file_location("openmm_dynamics", path)
+    example = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(example)
+    words = [
+        str(DIPEPTIDE),
+        "-o",
+        str(tmp_path),
+        *"--picoseconds 1 --frames 20 --platform Reference".split(),
+    ]
+    assert example.main(words) == 0
+    out = capsys.readouterr().out
+    assert "theirs  " in out and "ALA2 phi" in out and "ALA2 psi" in out
+    start, dcd = tmp_path / "alanine_dipeptide-start.pdb", tmp_path / "alanine_dipeptide-openmm.dcd"
+    dynamics = MDAnalysis.Universe(str(start), str(dcd))
+    assert len(dynamics.trajectory) == 20
+    # It is dynamics: bonds between heavy atoms vibrate, and no atom is where it began.
+    ace = dynamics.select_atoms("resname ACE and name CH3 C")
+    lengths = [np.linalg.norm(np.diff(ace.positions, axis=0)) for _ in dynamics.trajectory]
+    assert 0.005 < np.std(lengths) < 0.2
+    for name in ("alanine_dipeptide.compare.png", "alanine_dipeptide.compare-torsions.png"):
+        assert (tmp_path / name).exists()
