@@ -3,8 +3,7 @@
 
 import h5py
 import pytest
-from h5md_contents import assert_same_runs
-from interruptions import check_interruptions
+from h5md_contents import assert_same_runs, check_interruptions
 
 
 @pytest.mark.parametrize("options", [[], ["--every", 7], ["--precision", 0.01]])

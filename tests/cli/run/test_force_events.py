@@ -6,6 +6,7 @@ import json
 import h5py
 import numpy as np
 import pytest
+from h5md_contents import positions_in
 
 import pliant as library
 
@@ -46,11 +47,6 @@ def session(tmp_path):
     return tmp_path
 
 
-def frames(path):
-    with h5py.File(path) as file:
-        return file["particles/trajectory/position/value"][:]
-
-
 def by_hand():
     """The same with a Motion for each change, in Python."""
     structure = library.read_text(MOLECULE, "m.mol")
@@ -84,7 +80,7 @@ def by_hand():
 def test_a_session_is_repeated_bit_by_bit(pliant, session):
     ended = pliant("run", "m.mol", "--forces", "s.txt", "--json")
     assert ended.code == 0, ended.err
-    np.testing.assert_array_equal(frames(session / "m.h5md"), by_hand())
+    np.testing.assert_array_equal(positions_in(session / "m.h5md"), by_hand())
     report = json.loads(ended.out)
     assert (report["steps"], report["frames"], report["technique"]) == (6, 7, "bfs_cycle")
 

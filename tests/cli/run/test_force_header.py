@@ -3,9 +3,9 @@
 
 import json
 
-import h5py
 import numpy as np
 import pytest
+from h5md_contents import positions_in
 from real_files import PEPTIDE
 
 SESSION = "set technique froda\nforce 4 900 40 -70\nstep 3\nforce 7 100 0 0\nstep\n"
@@ -27,11 +27,6 @@ def session(forces, tmp_path):
     return tmp_path / "s.txt"
 
 
-def frames(path):
-    with h5py.File(path) as file:
-        return file["particles/trajectory/position/value"][:]
-
-
 @pytest.mark.parametrize("name", ["f.txt", "s.txt"])
 def test_the_model_comes_from_the_file(pliant, session, tmp_path, name):
     ended = pliant("run", PEPTIDE, "--forces", name, "-o", "a.h5md", "--json")
@@ -40,7 +35,9 @@ def test_the_model_comes_from_the_file(pliant, session, tmp_path, name):
     assert report["bars"] == 950
     assert report["forces"]["taken"]["model"] == "protein"
     assert pliant("run", PEPTIDE, "--model", "protein", "--forces", name, "-o", "b.h5md").code == 0
-    np.testing.assert_array_equal(frames(tmp_path / "a.h5md"), frames(tmp_path / "b.h5md"))
+    np.testing.assert_array_equal(
+        positions_in(tmp_path / "a.h5md"), positions_in(tmp_path / "b.h5md")
+    )
 
 
 CONTRADICTIONS = [
@@ -109,7 +106,9 @@ def test_a_replay_goes_on(pliant, forces, tmp_path):
     assert pliant(*run, "-o", "part.h5md", "--steps", 2).code == 0
     forces.unlink()
     assert pliant("run", "--continue", "part.h5md", "--steps", 4).code == 0
-    np.testing.assert_array_equal(frames(tmp_path / "whole.h5md"), frames(tmp_path / "part.h5md"))
+    np.testing.assert_array_equal(
+        positions_in(tmp_path / "whole.h5md"), positions_in(tmp_path / "part.h5md")
+    )
 
 
 def test_a_recorded_run_is_repeated_by_its_technique(pliant, tmp_path):
@@ -118,4 +117,6 @@ def test_a_recorded_run_is_repeated_by_its_technique(pliant, tmp_path):
     report = json.loads(pliant("run", PEPTIDE, "--forces", "f.txt", "-o", "b.h5md", "--json").out)
     assert report["technique"] == "newton"
     assert report["forces"]["taken"]["damping"] == "0.25"
-    np.testing.assert_array_equal(frames(tmp_path / "a.h5md"), frames(tmp_path / "b.h5md"))
+    np.testing.assert_array_equal(
+        positions_in(tmp_path / "a.h5md"), positions_in(tmp_path / "b.h5md")
+    )

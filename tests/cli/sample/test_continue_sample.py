@@ -10,8 +10,7 @@ import subprocess
 import numpy as np
 import pytest
 from commit_logs import commits_in, stopped, words_of_job
-from h5md_contents import contents
-from interruptions import check_interruptions
+from h5md_contents import check_interruptions, contents
 from real_files import HEXAPEPTIDE, PEPTIDE
 
 COMMON = ["--amplitude", "0.4", "--topology", "none", "--quiet"]

@@ -7,8 +7,6 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from pliant.measure.stages.analysis import AnalysisOptions
-from pliant.report.sections.table import analyse_trajectory
 
 sys.path.insert(0, str(Path(__file__).parent))  # so that tests can import what lies beside them
 from turned_molecule import SYMBOLS, Molecule, rotated
@@ -117,6 +115,9 @@ def write_run():
 @pytest.fixture
 def analysis(tmp_path, peptide, wander, write_run):
     """Of a dozen frames of the peptide."""
+    from pliant.measure.stages.analysis import AnalysisOptions
+    from pliant.report.sections.table import analyse_trajectory
+
     trajectory = wander(peptide, peptide.rotatable, 12, degrees=25.0)
     run = write_run(tmp_path / "run.h5md", peptide, trajectory)
     return analyse_trajectory(AnalysisOptions(str(run)))

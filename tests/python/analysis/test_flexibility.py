@@ -13,19 +13,13 @@ from pliant.measure.flexibility import (
     statistical_inefficiency,
 )
 from pliant.trajectory.superposition import superpose_all
+from turned_molecule import rotated
 
 
 def noise(frames, sigma, seed=0):
     """(F, n, 3) independent normal displacements of standard deviation sigma (n,)."""
     random = np.random.default_rng(seed)
     return random.standard_normal((frames, len(sigma), 3)) * np.asarray(sigma)[None, :, None]
-
-
-def turned(points, axis, angle):
-    axis = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
-    c, s = np.cos(angle), np.sin(angle)
-    cross = np.cross(axis, points)
-    return points * c + cross * s + np.outer(points @ axis, axis) * (1 - c)
 
 
 def test_rmsf_is_numpys_and_units_are_roots_of_mean_squares():
@@ -101,7 +95,8 @@ def test_superposition_takes_rigid_motion_away():
     shape = random.standard_normal((12, 3)) * 5
     frames = np.array(
         [
-            turned(shape, random.standard_normal(3), a) + 10 * random.standard_normal(3)
+            rotated(shape, random.standard_normal(3), np.degrees(a))
+            + 10 * random.standard_normal(3)
             for a in random.uniform(0, 3, 20)
         ]
     )

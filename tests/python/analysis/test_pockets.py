@@ -12,7 +12,7 @@ from pliant.measure.pockets.pocket_volumes import Pocket, _is_gap
 from pliant.measure.stages.units import trace_atoms
 from pliant.report.command import main
 from scipy.spatial import Delaunay
-from test_shapes import shell
+from turned_molecule import shell
 
 import pliant
 

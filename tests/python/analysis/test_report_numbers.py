@@ -23,10 +23,10 @@ from pliant.report.sections.exports import b_factors
 from pliant.report.sections.flexible import UnitFlexibility
 from pliant.report.sections.motions import Components
 from pliant.report.sections.stereochemistry import Shapes
+from real_files import PEPTIDE
 
 pytestmark = pytest.mark.usefixtures("no_drawing")
 
-PEPTIDE = Path(__file__).parents[3] / "data/molecules/peptide_20.pdb"
 ENDS = ("resid 1 and name CA", "resid 20 and name CA")
 
 

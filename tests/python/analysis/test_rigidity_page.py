@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from browser import Page, chromium
+from real_files import ROOT
 
 import pliant
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
 
-ROOT = Path(__file__).resolve().parents[3]
 OPEN = Path(MDAnalysisTests.__file__).parent / "data" / "adk_open.pdb"
 COMMAND = Path(sys.executable).parent / "pliant"
 

@@ -21,7 +21,7 @@ from pliant.report.command import main
 from pliant.report.representatives import representatives
 from pliant.report.sections.other_shapes import OTHER_SHAPES
 from pliant.trajectory.frame_store import FrameStore
-from turned_molecule import Molecule, rotated
+from turned_molecule import Molecule, rotated, shell
 
 from pliant import analyse
 
@@ -128,14 +128,6 @@ def test_adenylate_kinase_closes_its_lid_and_its_nmp_domain():
     assert 59 <= nmp[-1] <= 73  # the helix from 61 to 72 bends
     assert 40 < found.angles[2] < found.angles[1] < 60
     assert found.within < 1.5
-
-
-def shell(radius, count):
-    """Points spread evenly over a sphere (a spiral in steps of the golden angle)."""
-    k = np.arange(count) + 0.5
-    polar, turn = np.arccos(1 - 2 * k / count), np.pi * (1 + 5**0.5) * k
-    flat = np.sin(polar)
-    return radius * np.stack([np.cos(turn) * flat, np.sin(turn) * flat, np.cos(polar)], axis=1)
 
 
 @pytest.mark.parametrize("radius", [5.0, 6.0, 8.0, 10.0])

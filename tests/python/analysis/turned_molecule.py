@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A molecule whose parts turn about its bonds."""
+"""A molecule whose parts turn about its bonds, and a shell of atoms."""
 
 import numpy as np
 
@@ -50,3 +50,11 @@ def rotated(vectors, axis, degrees):
     axis = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     return vectors * c + np.cross(axis, vectors) * s + np.outer(vectors @ axis, axis) * (1 - c)
+
+
+def shell(radius, count):
+    """Points spread evenly over a sphere (a spiral in steps of the golden angle)."""
+    k = np.arange(count) + 0.5
+    polar, turn = np.arccos(1 - 2 * k / count), np.pi * (1 + 5**0.5) * k
+    flat = np.sin(polar)
+    return radius * np.stack([np.cos(turn) * flat, np.sin(turn) * flat, np.cos(polar)], axis=1)

@@ -8,7 +8,6 @@ import multiprocessing
 import shutil
 import tracemalloc
 from dataclasses import replace
-from pathlib import Path
 
 import MDAnalysis
 import numpy as np
@@ -24,6 +23,7 @@ from pliant.shards.flexibility import flexibility
 from pliant.shards.sums import Task, sums_of
 from pliant.trajectory.shards.plan import load_plan
 from pliant.trajectory.superposition import pairwise_rmsd, superpose_onto
+from real_files import CAFFEINE
 
 
 @pytest.fixture(scope="module")
@@ -33,9 +33,6 @@ def many(tmp_path_factory, there):
     words = ("--walkers", 64, "--shard-size", 10, "--model", "protein", "--steps", 20)
     made(PEPTIDE, "-o", folder, *words, "--every", 4, "--perturb", "displacement", *there)
     return folder
-
-
-CAFFEINE = Path(__file__).parents[3] / "data" / "molecules" / "caffeine.sdf"
 
 
 def analysed(folder, output):

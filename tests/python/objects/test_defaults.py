@@ -4,18 +4,16 @@
 import importlib
 import inspect
 import subprocess
-from pathlib import Path
 
 import pytest
 from pliant.base.console import command_path
+from real_files import PEPTIDE
 
 import pliant
 
-DATA = Path(__file__).parents[3] / "data" / "molecules"
 pytestmark = pytest.mark.filterwarnings(
     "ignore:frames reach an amplitude", "ignore:no bond can rotate", "ignore:select. .* bonds"
 )
-PEPTIDE = DATA / "peptide_20.pdb"
 
 #: parameters that tell of the file, and where a value is from in words
 OF_THE_COMMAND = ("input/", "sample/amplitude_reason")

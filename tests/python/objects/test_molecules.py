@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Functions take molecules of any kind, and get the same of each."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from real_files import DIPEPTIDE, MOLECULES
 
 import pliant
 
-DATA = Path(__file__).parents[3] / "data" / "molecules"
 pytestmark = pytest.mark.filterwarnings(
     "ignore:frames reach an amplitude", "ignore:no bond can rotate", "ignore:select. .* bonds"
 )
-PEPTIDE = DATA / "alanine_dipeptide.pdb"
 
 
 def universe(structure):
@@ -46,8 +43,8 @@ def atom_group(structure):
 
 #: how the peptide is given
 GIVEN = {
-    "path": lambda structure: PEPTIDE,
-    "text": lambda structure: str(PEPTIDE),
+    "path": lambda structure: DIPEPTIDE,
+    "text": lambda structure: str(DIPEPTIDE),
     "structure": lambda structure: structure,
     "trajectory": pliant.Trajectory,
     "ensemble": lambda structure: pliant.sample(structure, frames=2, seed=1),
@@ -73,15 +70,15 @@ ASKED = {
 @pytest.mark.parametrize("asked", ASKED)
 @pytest.mark.parametrize("kind", GIVEN)
 def test_every_kind_is_taken(kind, asked):
-    structure = pliant.read(PEPTIDE)
+    structure = pliant.read(DIPEPTIDE)
     given = GIVEN[kind](structure)
     assert ASKED[asked](given) == ASKED[asked](structure)
 
 
 @pytest.mark.parametrize("kind", [kind for kind in GIVEN if kind != "ensemble"])
 def test_a_path_is_found_from_any_kind(kind):
-    structure = pliant.read(DATA / "peptide_20.pdb")
-    given = DATA / "peptide_20.pdb" if kind in ("path", "text") else GIVEN[kind](structure)
+    structure = pliant.read(MOLECULES / "peptide_20.pdb")
+    given = MOLECULES / "peptide_20.pdb" if kind in ("path", "text") else GIVEN[kind](structure)
     found = pliant.path(given, pliant.sample(structure, frames=1, seed=1)[:])
     assert len(found) == len(found.frames) == len(found.positions)
 
@@ -90,7 +87,7 @@ def test_a_path_is_found_from_any_kind(kind):
 def test_a_view_shows_any_kind(kind):
     from pliant.play.view import given_of
 
-    structure = pliant.read(PEPTIDE)
+    structure = pliant.read(DIPEPTIDE)
     shown = given_of(GIVEN[kind](structure))
     assert shown.data
     if kind != "text" and kind != "path":
@@ -127,7 +124,7 @@ def test_charges_that_are_none_are_refused():
 
 
 def test_contacts_of_what_has_no_hydrogens_say_so():
-    protein = pliant.read(PEPTIDE).select("not element H")
+    protein = pliant.read(DIPEPTIDE).select("not element H")
     with pytest.warns(pliant.PliantWarning, match=r"pliant\.contacts\(pliant\.prepare\(molecule\)"):
         pliant.contacts(protein)
 
@@ -137,7 +134,7 @@ def test_contacts_are_read_as_the_command_writes_them(tmp_path):
 
     from pliant.base.console import command_path
 
-    path = DATA / "peptide_20.pdb"
+    path = MOLECULES / "peptide_20.pdb"
     file = tmp_path / "contacts.csv"
     with file.open("w") as stream:
         subprocess.run([command_path(), "contacts", path, "--csv"], stdout=stream, check=True)

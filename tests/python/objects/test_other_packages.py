@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Frames go to other packages and come back, through one object."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from real_files import MOLECULES
 
 import pliant
 
-DATA = Path(__file__).parents[3] / "data" / "molecules"
 pytestmark = pytest.mark.filterwarnings(
     "ignore:frames reach an amplitude", "ignore:no bond can rotate", "ignore:select. .* bonds"
 )
@@ -16,7 +14,7 @@ pytestmark = pytest.mark.filterwarnings(
 
 @pytest.fixture(scope="module")
 def ensemble():
-    return pliant.sample(DATA / "peptide_20.pdb", frames=3, seed=1)
+    return pliant.sample(MOLECULES / "peptide_20.pdb", frames=3, seed=1)
 
 
 #: package, what makes its object, how many frames that has, and how near they are kept, Angstrom

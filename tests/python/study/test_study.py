@@ -12,6 +12,7 @@ from pliant.base.verdict import verdict_of_all
 from pliant.checks.findings import Finding
 from pliant.checks.force_field import verdicts as verdicts_of_md
 from pliant.report.check.check_report import CheckReport
+from real_files import MOLECULES, PEPTIDE
 
 import pliant
 
@@ -22,8 +23,6 @@ report_of = pytest.importorskip("pliant.report.write").report_of
 UnitFlexibility = pytest.importorskip("pliant.report.sections.flexible").UnitFlexibility
 main = pytest.importorskip("pliant.report.study.command").main
 
-MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
-PEPTIDE = MOLECULES / "peptide_20.pdb"
 WATER = "HETATM 9001  O   HOH A 901      60.000  60.000  60.000  1.00  0.00           O\n"
 
 
