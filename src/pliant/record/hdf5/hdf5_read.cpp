@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/system/file_lock.hpp"
@@ -75,6 +79,8 @@ bool link_exists(std::int64_t location, const std::string& path, const InsideLin
   return exists > 0;
 }
 
+constexpr int most_group_levels = 50;
+
 struct Names {
   std::vector<std::string> names;
 };
@@ -84,12 +90,34 @@ herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
   return 0;
 }
 
-herr_t add_dataset(hid_t group, const char* name, const H5L_info_t* link, void* names) {
-  if (link->type != H5L_TYPE_HARD) return 0;
-  const Hid object(H5Oopen(group, name, H5P_DEFAULT), H5Oclose);
-  if (object && H5Iget_type(object) == H5I_DATASET)
-    static_cast<Names*>(names)->names.emplace_back(name);
+/// A hard link: its name, and the address or token of what it leads to.
+using HardLink = std::pair<std::string, std::string>;
+
+herr_t add_hard_link(hid_t, const char* name, const H5L_info_t* link, void* links) {
+  if (link->type == H5L_TYPE_HARD)
+    static_cast<std::vector<HardLink>*>(links)->emplace_back(
+        name, std::string(reinterpret_cast<const char*>(&link->u), sizeof link->u));
   return 0;
+}
+
+struct Below {
+  std::vector<std::string> datasets;
+  std::set<std::string> seen;  // addresses or tokens of groups
+};
+
+/// H5Lvisit would need a stack as deep as the file is.
+void add_datasets(hid_t group, const std::string& above, int level, Below& below) {
+  std::vector<HardLink> links;
+  hsize_t at = 0;
+  checked(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &at, add_hard_link, &links),
+          "list " + pliant::quoted("/" + above, 200));
+  for (const auto& [name, place] : links) {
+    const Hid object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
+    const H5I_type_t type = object ? H5Iget_type(object) : H5I_BADID;
+    if (type == H5I_DATASET) below.datasets.push_back(above + name);
+    if (type == H5I_GROUP && level < most_group_levels && below.seen.insert(place).second)
+      add_datasets(object, above + name + "/", level + 1, below);
+  }
 }
 
 std::string attribute_text(hid_t attribute, hid_t type) {
@@ -164,14 +192,13 @@ std::vector<std::string> names_in(std::int64_t location, const std::string& grou
 }
 
 std::vector<std::string> datasets_below(std::int64_t location, const std::string& group) {
-  Names found;
   if (!has_object(location, group)) return {};
   const Hid object = open_object(location, group);
   if (H5Iget_type(object) != H5I_GROUP) return {};
-  checked(H5Lvisit(object, H5_INDEX_NAME, H5_ITER_INC, add_dataset, &found),
-          "list " + pliant::quoted(group, 200));
-  std::sort(found.names.begin(), found.names.end());
-  return found.names;
+  Below below;
+  add_datasets(object, "", 0, below);
+  std::sort(below.datasets.begin(), below.datasets.end());
+  return std::move(below.datasets);
 }
 
 std::optional<std::string> text_attribute(std::int64_t object, const char* name) {

@@ -25,7 +25,8 @@ bool has_object(std::int64_t location, const std::string& path);
 Hid open_object(std::int64_t location, const std::string& path);
 /// Names in the group, sorted; empty if there is no such group.
 std::vector<std::string> names_in(std::int64_t location, const std::string& group);
-/// Paths of all datasets below `group`, relative to it, sorted; soft links are not followed.
+/// Paths of all datasets below `group`, relative to it, sorted; soft links are not followed, and
+/// what lies below 50 levels is left out.
 std::vector<std::string> datasets_below(std::int64_t location, const std::string& group);
 
 /// The text of an attribute of fixed or variable length; nothing if there is none.
