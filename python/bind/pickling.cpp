@@ -150,7 +150,7 @@ nb::tuple framework_state(const Framework& framework) {
   return nb::make_tuple(layout, framework.joint_count(), packed(joints_of_bars(framework)),
                         packed(framework.rest_lengths()), packed(framework.inverse_masses()), atoms,
                         packed(framework.drawn()), framework.is_planar(),
-                        limits_to_python(framework), sterics, torsions);
+                        limits_to_python(framework.limits()), sterics, torsions);
 }
 
 FrameworkParts parts_from(const nb::tuple& state) {

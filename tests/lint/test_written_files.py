@@ -27,7 +27,7 @@ EXCEPTIONS = {
     ("shards/commits.py", ".rename("): "a log of commits",
     ("shards/folder_lock.py", "open("): "a lock, which holds nothing",
     ("trajectory/shards/manifest.py", "open("): "a log: a line that is cut off does not count",
-    ("trajectory/shards/plan.py", "open("): "waits for the disk, as shards do",
+    ("shards/plan_made.py", "open("): "waits for the disk, as shards do",
     ("shards/scratch.py", "copyfile("): "a shard that was checked, from another disk",
     ("shards/scratch.py", "os.rename("): "the same",
     ("shards/scratch.py", ".rename("): "the same",

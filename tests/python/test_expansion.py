@@ -11,11 +11,9 @@ import numpy as np
 import pliant.mdanalysis
 import pytest
 from expanding_files import EXPANDING, put_zeros
-from pliant.trajectory import hdf5 as _hdf5
-from pliant.trajectory.load import open_universe
-from pliant.trajectory.record import read_record
-from pliant.trajectory.recording import read_recording
-from pliant.trajectory.stored import StoredPositions
+from pliant.trajectory.opened import one_file
+from pliant.trajectory.recover.reading import read
+from pliant.trajectory.universe import open_universe, source_of
 
 VALUE = "particles/trajectory/position/value"
 
@@ -28,26 +26,21 @@ def good(tmp_path_factory):
     return path
 
 
-def compiled(path):
-    """What the C++ reader reads."""
-    reader = pliant.H5mdReader(path)
-    reader.positions(0)
-    reader.framework()
-    for name in reader.observables:
-        reader.observable(name)
+def all_of(path):
+    """Reads all that our opener can tell."""
+    frames = one_file(path)
+    _ = frames.moment(0), frames.framework, frames.observables, frames.contacts
 
 
 READERS = {
-    "H5mdReader": compiled,
-    "read_record": read_record,
-    "read_recording": read_recording,
+    "one_file": all_of,
     "open_universe": open_universe,
     "Universe": lambda path: MDAnalysis.Universe(path),
 }
 
 
 #: What a reader does not look at, it may leave alone.
-UNREAD = {("read_record", "many_chunks"), ("open_universe", "bars"), ("Universe", "bars")}
+UNREAD = {("open_universe", "bars"), ("Universe", "bars")}
 
 
 @pytest.mark.parametrize(
@@ -75,7 +68,7 @@ def test_a_chunk_is_weighed_by_its_own_bytes(good, tmp_path):
     with h5py.File(path, "a") as file:
         put_zeros(file, "observables/sweeps/value", (10 << 24,), (1 << 24,), "i8")
     with pytest.raises(pliant.InputError, match="has chunks that unpack to 134217728 bytes"):
-        read_record(path)
+        all_of(path)
 
 
 def test_texts_that_are_one_place_in_the_file(tmp_path):
@@ -86,17 +79,18 @@ def test_texts_that_are_one_place_in_the_file(tmp_path):
         file["names"][0] = "A" * 1_000_000
         stored = file["names"].id.read_direct_chunk((0,))[1]
         file["names"].id.write_direct_chunk((0,), stored[:16] * 1000)
-    with h5py.File(path) as file:
-        with pytest.raises(pliant.InputError, match=r"names\.h5: /names: has values that unpack"):
-            _hdf5.read(file["names"])
-        assert len(_hdf5.read(file["names"], 0)) == 1_000_000
+    with (
+        h5py.File(path) as file,
+        pytest.raises(pliant.InputError, match="/names: has values that unpack"),
+    ):
+        read(file["names"])
 
 
 def test_texts_of_variable_length_are_read_whole(tmp_path):
     names = [f"C{k}" for k in range(300)]
     with h5py.File(tmp_path / "names.h5", "w") as file:
         file["names"] = names
-        found = _hdf5.read(file["names"])
+        found = read(file["names"])
         assert [name.decode() for name in found] == names
         assert found.dtype == file["names"].dtype
 
@@ -130,9 +124,9 @@ def test_frames_that_are_packed_well_are_read(tmp_path, layout, still):
         box.attrs["boundary"] = ["none"] * 3
         file.create_dataset("particles/all/position/value", data=positions, chunks=chunk, **options)
         file["particles/all/position/value"].attrs["unit"] = "Angstrom"
-    universe = open_universe(path)
-    assert (StoredPositions(universe.trajectory).read(0) == positions[0]).all()
-    assert (pliant.H5mdReader(path).positions(frames - 1) == positions[-1]).all()
+    opened = one_file(path)
+    assert (opened.positions(frames - 1) == positions[-1]).all()
+    assert (source_of(open_universe(path).trajectory).positions(0) == positions[0]).all()
 
 
 def test_a_file_of_mdanalysis_is_read(tmp_path):

@@ -11,9 +11,9 @@ import pytest
 from pliant.measure import PrincipalComponents, pca
 from pliant.measure.flexibility import flexibility
 from pliant.trajectory import frame_store
-from pliant.trajectory.frame_store import FrameStore, sum_of, variance_of
-from pliant.trajectory.store_reader import StoreReader
+from pliant.trajectory.frame_store import FramesHeld, FrameStore, sum_of, variance_of
 from pliant.trajectory.superposition import superpose_all, superpose_frames
+from pliant.trajectory.universe import FramesReader
 
 from pliant import FileError
 
@@ -124,7 +124,7 @@ def test_principal_components_are_the_same(at_once, positions, atoms, monkeypatc
 def test_a_universe_reads_a_store(at_once, positions):
     boxes = np.array([[k + 1.0, 2, 3, 90, 90, 90] for k in range(FRAMES)], dtype=np.float32)
     universe = MDAnalysis.Universe.empty(ATOMS)
-    universe.trajectory = StoreReader(stored(positions, np.float32), boxes)
+    universe.trajectory = FramesReader(FramesHeld(stored(positions, np.float32), boxes))
     trajectory, expected = universe.trajectory, positions.astype(np.float32)
     assert len(trajectory) == FRAMES
     for k, step in enumerate(trajectory):

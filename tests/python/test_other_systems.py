@@ -7,10 +7,7 @@ import sys
 import h5py
 import pytest
 from pliant.base.file_lock import take_lock
-from pliant.trajectory.hdf5.probe import probe_anew
 from pliant.trajectory.recover.pieces import dataset, salvage
-
-import pliant
 
 # fork is taken away after the imports: what begins processes decides by it when it does.
 LACKING = """
@@ -51,17 +48,6 @@ def path(tmp_path):
     with h5py.File(path, "w") as file:
         file["a/b"] = [1.0, 2.0]
     return str(path)
-
-
-def test_a_file_is_looked_at_by_a_process_that_begins_anew(path):
-    probe_anew(path)
-
-
-def test_a_process_that_ends_badly_is_a_damaged_file(path, monkeypatch):
-    monkeypatch.setattr(sys, "executable", "false")
-    expected = r"good\.h5: is damaged: HDF5 crashes when it reads it \(exit code 1\)"
-    with pytest.raises(pliant.InputError, match=expected):
-        probe_anew(path)
 
 
 def test_pieces_are_saved_without_fork(path, monkeypatch):

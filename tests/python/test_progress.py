@@ -185,13 +185,11 @@ def test_walkers_that_begin_are_shown(bars):
 
 
 def test_long_work_without_a_terminal_says_now_and_then_how_far_it_is(monkeypatch, capsys):
-    from pliant.base import command_progress as of_commands
-
-    monkeypatch.setattr(of_commands, "LINE_EVERY", 0.0)
-    with of_commands.progress("structures", lines=True) as show:
+    monkeypatch.setattr(_progress, "LINE_EVERY", 0.0)
+    with _progress.progress("structures", lines=True) as show:
         show(1, 3)
         show(1, 3)
         show(3, 3)
-    with of_commands.progress("structures") as show:
+    with _progress.progress("structures") as show:
         show(1, 3)
     assert capsys.readouterr().err == "structures: 1 of 3\nstructures: 3 of 3\n"

@@ -188,10 +188,11 @@ void bind_framework_graph(nb::class_<Framework>& framework) {
 
 void bind_limits_of_framework(nb::class_<Framework>& framework) {
   framework
-      .def_prop_ro("limits", &limits_to_python,
-                   nb::sig("def limits(self) -> numpy.typing.NDArray[numpy.void]"),
-                   "(L,) structured array: a, b, least, most (Angstrom), kind, energy (kJ/mol),\n"
-                   "group (-1: none). ``Framework(limits=...)`` takes it.")
+      .def_prop_ro(
+          "limits", [](const Framework& self) { return limits_to_python(self.limits()); },
+          nb::sig("def limits(self) -> numpy.typing.NDArray[numpy.void]"),
+          "(L,) structured array: a, b, least, most (Angstrom), kind, energy (kJ/mol),\n"
+          "group (-1: none). ``Framework(limits=...)`` takes it.")
       .def_prop_ro(
           "has_sterics", [](const Framework& self) { return self.sterics() != nullptr; },
           "Whether there are least distances of joints.")

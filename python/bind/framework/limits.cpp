@@ -54,9 +54,9 @@ std::vector<Limit> limits_from(nb::handle rows) {
   return limits;
 }
 
-nb::object limits_to_python(const Framework& framework) {
+nb::object limits_to_python(std::span<const Limit> limits) {
   nb::list rows;
-  for (const Limit& limit : framework.limits()) {
+  for (const Limit& limit : limits) {
     const std::int64_t group = limit.group == no_limit_group ? -1 : std::int64_t{limit.group};
     rows.append(nb::make_tuple(limit.a, limit.b, limit.least, limit.most,
                                std::string(name(limit.kind)), limit.energy, group));

@@ -5,6 +5,7 @@
 
 #include <nanobind/stl/pair.h>
 
+#include <span>
 #include <vector>
 
 #include "bind.hpp"
@@ -17,7 +18,7 @@ namespace pliant::python {
 std::vector<Limit> limits_from(nb::handle rows);
 
 /// A numpy array with fields a, b, least, most, kind, energy, group (-1: none).
-nb::object limits_to_python(const Framework& framework);
+nb::object limits_to_python(std::span<const Limit> limits);
 
 /// Adds the limits and overlaps of a summary as attributes of its class.
 template <class Summary, class Class>

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "arrays.hpp"
 #include "checks.hpp"
+#include "framework/limits.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
 #include "molecule/structure_columns.hpp"
@@ -14,7 +16,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/record/hdf5/expansion.hpp"
-#include "pliant/record/hdf5/structure_check.hpp"
+#include "pliant/record/hdf5/hdf5_dataset.hpp"
 #include "pliant/record/hdf5/while_written.hpp"
 
 namespace pliant::python {
@@ -43,6 +45,53 @@ PositionsView positions_of(LockedReader& self, std::int64_t frame) {
       [&](const H5mdReader& reader) { return reader.positions(frame_at(reader, frame)); }));
 }
 
+using Frames = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
+
+Frames block_of(LockedReader& self, std::int64_t first, std::int64_t count) {
+  auto* kept = new std::vector<Vec3>;
+  const nb::capsule owner(kept,
+                          [](void* p) noexcept { delete static_cast<std::vector<Vec3>*>(p); });
+  std::size_t joints = 0;
+  self.call([&](const H5mdReader& reader) {
+    joints = reader.joint_count();
+    *kept = reader.block(first, count);
+  });
+  return Frames(reinterpret_cast<double*>(kept->data()),
+                {static_cast<std::size_t>(count), joints, 3}, owner);
+}
+
+/// What the member function `Call` returns, as an array.
+template <auto Call>
+auto recorded_array() {
+  return [](LockedReader& self) {
+    return array_of(self.call([](const H5mdReader& reader) { return (reader.*Call)(); }));
+  };
+}
+
+/// One number a frame, of the kind that is recorded.
+nb::object observable_of(LockedReader& self, const std::string& name) {
+  SeriesKind kind{};
+  std::vector<double> values = self.call([&](const H5mdReader& reader) {
+    kind = reader.kind_of(name);
+    return reader.observable(name);
+  });
+  if (kind == SeriesKind::real) return nb::cast(array_of(std::move(values)));
+  if (kind == SeriesKind::truth) return nb::cast(mask_of({values.begin(), values.end()}));
+  return nb::cast(array_of(std::vector<std::int64_t>(values.begin(), values.end())));
+}
+
+/// Of a file that names no atoms.
+AtomTable nameless(std::size_t count) {
+  AtomTable atoms;
+  atoms.elements.assign(count, 0);
+  atoms.names.assign(count, std::string(element_symbol(0)));
+  atoms.residue_of.assign(count, 0);
+  if (count > 0) atoms.residues.push_back({.name = "UNK", .chain = ""});
+  atoms.serials.resize(count);
+  std::iota(atoms.serials.begin(), atoms.serials.end(), 1);
+  return atoms;
+}
+
 /// An origin that we do not know is what another program put into the file.
 BondOrigin origin_of(const std::vector<std::string>& names, std::size_t origin) {
   if (origin >= names.size()) return BondOrigin::file;
@@ -63,10 +112,9 @@ std::vector<Bond> bonds_of(const H5mdReader& reader) {
 
 Structure structure_of(const H5mdReader& reader, std::int64_t frame) {
   const auto atoms = reader.atoms();
-  if (!atoms) throw InputError("the file has no atom table, so there is no structure to read");
   Structure structure;
   structure.format = "h5md";
-  structure.atoms = *atoms;
+  structure.atoms = atoms ? *atoms : nameless(reader.joint_count());
   for (std::uint8_t& element : structure.atoms.elements)
     if (element > element_count) element = 0;
   structure.positions = reader.positions(frame_at(reader, frame));
@@ -89,6 +137,20 @@ void bind_frames(nb::class_<LockedReader>& reader) {
                    "Number N of joints.")
       .def("positions", &positions_of, "frame"_a,
            "(N, 3) float64, Angstrom: a new array. Negative frames count from the end.")
+      .def("block", &block_of, "first"_a, "count"_a,
+           nb::sig("def block(self, first: int, count: int) -> "
+                   "numpy.typing.NDArray[numpy.float64]"),
+           "(count, N, 3) float64, Angstrom: frames from `first` on, also such as are damaged and\n"
+           "not finite.")
+      .def_prop_ro("rounded_to", locked<H5mdReader, &H5mdReader::rounded_to>(),
+                   "Coordinates are multiples of this, Angstrom; 0: they are as they were.")
+      .def_prop_ro("frames_left_out", locked<H5mdReader, &H5mdReader::frames_left_out>(),
+                   "Frames that lack positions, step or time, and are not counted.")
+      .def_prop_ro("bytes_per_coordinate", locked<H5mdReader, &H5mdReader::bytes_per_coordinate>(),
+                   "8 for double precision, 4 for single.")
+      .def("steps", recorded_array<&H5mdReader::steps>(), "(F,) the steps of all frames.")
+      .def("times", recorded_array<&H5mdReader::times>(),
+           "(F,) the times of all frames, ps; empty where the file has none.")
       .def(
           "step",
           [](LockedReader& self, std::int64_t frame) {
@@ -109,13 +171,13 @@ void bind_recorded(nb::class_<LockedReader>& reader) {
   reader
       .def_prop_ro("observables", locked<H5mdReader, &H5mdReader::observables>(),
                    "Names of what is recorded once a frame as a number, sorted.")
-      .def(
-          "observable",
-          [](LockedReader& self, const std::string& name) {
-            return array_of(
-                self.call([&](const H5mdReader& reader) { return reader.observable(name); }));
-          },
-          "name"_a, "(F,) float64: one number a frame; truth values are 0 and 1.")
+      .def("observable", &observable_of, "name"_a,
+           nb::sig("def observable(self, name: str) -> numpy.typing.NDArray[typing.Any]"),
+           "(F,) float64, int64 or bool: one number a frame.")
+      .def("contact_states", recorded_array<&H5mdReader::contact_states>(),
+           "(F * C,) of each contact in each frame, frame after frame: 0 held, 1 broken, 2 "
+           "switched\n"
+           "off; in the order of each one's first limit.")
       .def("parameters", &parameters_of,
            nb::sig("def parameters(self) -> dict[str, bool | int | float | str]"),
            "The values below /parameters by path: every option of the run.")
@@ -129,18 +191,55 @@ void bind_recorded(nb::class_<LockedReader>& reader) {
           "frame"_a = 0, "The atoms and bonds that were recorded, at the positions of a frame.");
 }
 
-bool check_structure(const std::filesystem::path& path) {
+/// What is the same in all frames.
+void bind_fixed(nb::class_<LockedReader>& reader) {
+  reader
+      .def(
+          "bars",
+          [](LockedReader& self) {
+            std::vector<std::uint32_t> ends;
+            for (const Bar& bar :
+                 self.call([](const H5mdReader& reader) { return reader.bars(); })) {
+              ends.push_back(bar.a);
+              ends.push_back(bar.b);
+            }
+            return pairs_array_of(std::move(ends));
+          },
+          "(B, 2) joints; empty where the file has none.")
+      .def("rest_lengths", recorded_array<&H5mdReader::rest_lengths>(),
+           "(B,) Angstrom; empty where the file has none.")
+      .def("masses", recorded_array<&H5mdReader::masses>(),
+           "(N,) u; empty where the file has none.")
+      .def(
+          "limits",
+          [](LockedReader& self) {
+            return limits_to_python(
+                self.call([](const H5mdReader& reader) { return reader.limits(); }));
+          },
+          nb::sig("def limits(self) -> numpy.typing.NDArray[numpy.void]"),
+          "As those of a Framework.")
+      .def_prop_ro(
+          "has_atoms",
+          [](LockedReader& self) {
+            return self.call([](const H5mdReader& reader) { return reader.atoms() != nullptr; });
+          },
+          "Whether the file names the atoms.")
+      .def_prop_ro("joints_of_whole", locked<H5mdReader, &H5mdReader::joints_of_whole>(),
+                   "Joints of the molecule, of which the file has some; 0: it has all.");
+}
+
+void check_file(const std::filesystem::path& path) {
   const nb::gil_scoped_release no_gil;
-  return while_written(path, [&] { return check_hdf5_structure(path); });
+  while_written(path, [&] { check_hdf5(path); });
 }
 
 }  // namespace
 
 void bind_h5md_reader(nb::module_& module) {
   module.def(
-      "check_hdf5_structure", &check_structure, "path"_a,
-      "Checks the structure of an HDF5 file within bounds, without HDF5. Returns whether all\n"
-      "of it has a known format; raises InputError if it is damaged.");
+      "check_hdf5", &check_file, "path"_a,
+      "Looks at an HDF5 file before another library reads it. Raises InputError if it is damaged\n"
+      "or would take memory out of proportion to its size, FileError if it cannot be read.");
   module.def(
       "expansion_refusal",
       [](std::uint64_t values, std::uint64_t at_once, std::uint64_t chunk, std::uint64_t stored,
@@ -162,6 +261,7 @@ void bind_h5md_reader(nb::module_& module) {
   reader.def("__init__", &make_reader, "path"_a, nb::kw_only(), "group"_a = "");
   bind_frames(reader);
   bind_recorded(reader);
+  bind_fixed(reader);
 }
 
 }  // namespace pliant::python

@@ -12,13 +12,24 @@ import numpy.typing as npt
 
 from pliant._core import Framework, InputError, PliantWarning, Structure
 from pliant.base.checked import POSITIVE, checked, having
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.trajectory.chains import chain_of
+from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import MDAnalysis
+else:
+    MDAnalysis = late("MDAnalysis")
+
+exceptions = late("MDAnalysis.exceptions")
+guesser, old_guesser = map(
+    late, ("MDAnalysis.guesser.default_guesser", "MDAnalysis.topology.guessers")
+)
+mdamath = late("MDAnalysis.lib.mdamath")
+memory = late("MDAnalysis.coordinates.memory")
+universes = late("pliant.trajectory.universe")
 
 #: What MDAnalysis and the formats it reads call an aromatic bond.
 _AROMATIC = {"ar", "aromatic", "1.5"}
@@ -98,19 +109,17 @@ def to_mdanalysis(
         universe, frames = _universe_of_framework(source), _frames(positions, source.joint_count)
     else:
         trajectory = Trajectory(source, positions)
-        universe, frames = _universe_of_structure(trajectory.structure), trajectory.positions
-    from MDAnalysis.coordinates.memory import MemoryReader
-
-    universe.load_new(np.array(frames), format=MemoryReader, order="fac", dt=timestep)
+        frames = trajectory.positions
+        named = FramesInMemory(trajectory.structure, frames)
+        universe = MDAnalysis.Universe(universes.topology_of(named))
+    universe.load_new(np.array(frames), format=memory.MemoryReader, order="fac", dt=timestep)
     return universe
 
 
 def _cell(group: Any) -> npt.NDArray[np.float64] | None:
     """Edges of the box; None where the frame has none."""
-    from MDAnalysis.lib.mdamath import triclinic_vectors
-
     box = group.dimensions
-    return None if box is None else triclinic_vectors(box, dtype=np.float64)
+    return None if box is None else mdamath.triclinic_vectors(box, dtype=np.float64)
 
 
 def _texts(group: Any, name: str) -> list[str] | None:
@@ -141,21 +150,16 @@ def _elements(group: Any) -> list[str] | None:
 def _guesser() -> Callable[[str], str]:
     """MDAnalysis' own guess of an element from an atom's name."""
     try:
-        from MDAnalysis.guesser.default_guesser import DefaultGuesser
+        return cast("Callable[[str], str]", guesser.DefaultGuesser(None).guess_atom_element)
     except ImportError:  # before 2.8
-        from MDAnalysis.topology.guessers import guess_atom_element
-
-        return cast("Callable[[str], str]", guess_atom_element)
-    return cast("Callable[[str], str]", DefaultGuesser(None).guess_atom_element)
+        return cast("Callable[[str], str]", old_guesser.guess_atom_element)
 
 
 def _bonds_within(group: Any) -> tuple[npt.NDArray[np.int64] | None, list[int] | None]:
     """Bonds between atoms of the group as pairs of places in it; None if no bonds are known."""
-    from MDAnalysis.exceptions import NoDataError
-
     try:
         bonds = group.bonds
-    except (AttributeError, NoDataError):
+    except (AttributeError, exceptions.NoDataError):
         return None, None
     place = np.full(len(group.universe.atoms), -1)
     place[group.indices] = np.arange(len(group))
@@ -187,8 +191,6 @@ def _frames(positions: npt.ArrayLike, count: int) -> npt.NDArray[np.float64]:
 
 
 def _universe_of_framework(framework: Framework) -> MDAnalysis.Universe:
-    import MDAnalysis
-
     count = framework.joint_count
     universe = MDAnalysis.Universe.empty(count, trajectory=True)
     universe.add_TopologyAttr("names", [framework.label(i) for i in range(count)])
@@ -196,40 +198,4 @@ def _universe_of_framework(framework: Framework) -> MDAnalysis.Universe:
     masses = np.divide(1.0, inverse, out=np.zeros(count), where=inverse > 0)
     universe.add_TopologyAttr("masses", masses)
     universe.add_TopologyAttr("bonds", framework.bars.astype(np.int64))
-    return universe
-
-
-def _universe_of_structure(structure: Structure) -> MDAnalysis.Universe:
-    import MDAnalysis
-
-    residue_of = structure.residue_of
-    first = np.searchsorted(residue_of, np.arange(structure.residue_count))
-    chains = structure.chains
-    segments, segment_of = np.unique(chains[first], return_inverse=True)
-    universe = MDAnalysis.Universe.empty(
-        len(structure),
-        n_residues=structure.residue_count,
-        atom_resindex=residue_of.astype(np.int64),
-        n_segments=len(segments),
-        residue_segindex=segment_of,
-        trajectory=True,
-    )
-    symbols = np.where(structure.elements == 0, "", structure.symbols)
-    for name, values in {
-        "names": structure.names,
-        "types": symbols,
-        "elements": symbols,
-        "masses": structure.masses,
-        "ids": structure.serials,
-        "chainIDs": chains,
-        "resnames": structure.residue_names[first],
-        "resids": structure.residue_ids[first],
-        "icodes": structure.insertion_codes[first],
-        "segids": segments,
-    }.items():
-        universe.add_TopologyAttr(
-            name, values.astype(object) if values.dtype.kind == "U" else values
-        )
-    orders = [int(order) or None for order in structure.bond_orders]
-    universe.add_bonds(structure.bonds.astype(np.int64), order=orders)
     return universe

@@ -10,12 +10,14 @@ import numpy.typing as npt
 
 from pliant._core import Structure
 from pliant.base.checked import checked, having
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import mdtraj
+else:
+    mdtraj = late("mdtraj")
 
 _ANGSTROM_PER_NM = 10.0
 
@@ -69,15 +71,11 @@ def to_mdtraj(source: Molecule | Structure) -> mdtraj.Trajectory:
         MDTraj is not installed; the message says how to install it.
     """
     need("pliant.to_mdtraj", "mdtraj")
-    import mdtraj
-
     frames = Trajectory(source)
     return mdtraj.Trajectory(frames.positions / _ANGSTROM_PER_NM, _topology(frames.structure))
 
 
 def _topology(structure: Structure) -> Any:
-    import mdtraj
-
     topology = mdtraj.Topology()
     chains, residue_ids = structure.chains, structure.residue_ids
     names, residue_names = structure.names, structure.residue_names

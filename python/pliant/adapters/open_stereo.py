@@ -5,8 +5,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pliant.base.extras import late
+
 if TYPE_CHECKING:
     from rdkit.Chem import Atom, Bond, Mol
+
+Chem = late("rdkit.Chem")
+rdMolDescriptors = late("rdkit.Chem.rdMolDescriptors")
 
 
 def open_stereo(molecule: Mol) -> str:
@@ -15,8 +20,6 @@ def open_stereo(molecule: Mol) -> str:
     Neither counted are what exchanges its hydrogen (=NH, the acids of phosphorus and sulphur), nor
     double bonds in a row, nor bridgeheads that hold each other, as those of norbornane.
     """
-    from rdkit import Chem
-
     found = Chem.FindPotentialStereo(Chem.Mol(molecule))  # which may change what it is given
     left = [one for one in found if one.specified != Chem.StereoSpecified.Specified]
     double = [one.centeredOn for one in left if one.type == Chem.StereoType.Bond_Double]
@@ -57,9 +60,6 @@ def _heavy(atom: Atom) -> int:
 
 def _without_alternative(molecule: Mol, centres: list[int]) -> list[int]:
     """The centres without bridgeheads that give the same molecule when all are inverted."""
-    from rdkit import Chem
-    from rdkit.Chem import rdMolDescriptors
-
     bridgeheads: Any = []  # which is filled
     rdMolDescriptors.CalcNumBridgeheadAtoms(molecule, bridgeheads)
     held = set(bridgeheads).intersection(centres)

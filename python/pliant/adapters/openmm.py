@@ -11,13 +11,16 @@ import numpy.typing as npt
 
 from pliant._core import Framework, InputError, PliantWarning, Structure
 from pliant.base.checked import Wanted, checked, having
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import openmm
     import openmm.app
+
+app = late("openmm.app")
+unit = late("openmm.unit")
 
 _ANGSTROM_PER_NM = 10.0
 
@@ -92,8 +95,6 @@ def constraints_from_openmm(system: openmm.System, structure: Structure | None =
         The structure whose atoms the particles are; it names them in messages and files.
     """
     need("pliant.constraints_from_openmm", "openmm")
-    from openmm import unit
-
     count = system.getNumParticles()
     masses = np.array([system.getParticleMass(i).value_in_unit(unit.dalton) for i in range(count)])
     constraints = [system.getConstraintParameters(k) for k in range(system.getNumConstraints())]
@@ -123,16 +124,12 @@ def to_openmm(source: Molecule | Structure, frame: int = 0) -> openmm.app.Modell
         OpenMM is not installed; the message says how to install it.
     """
     need("pliant.to_openmm", "openmm")
-    from openmm import app, unit
-
     frames = Trajectory(source)
     positions = frames[frame] / _ANGSTROM_PER_NM
     return app.Modeller(_topology(frames.structure), positions * unit.nanometer)
 
 
 def _topology(structure: Structure) -> Any:
-    from openmm import app
-
     kinds = {1: app.Single, 2: app.Double, 3: app.Triple, 4: app.Aromatic}
     topology = app.Topology()
     chain = residue = None
@@ -168,8 +165,6 @@ def _opened(given: Any) -> tuple[Any, Any]:
 
 
 def _angstroms(positions: Any) -> npt.NDArray[np.float64]:
-    from openmm import unit
-
     if unit.is_quantity(positions):
         return np.array(positions.value_in_unit(unit.angstrom), dtype=np.float64)
     if len(positions) > 0 and unit.is_quantity(positions[0]):

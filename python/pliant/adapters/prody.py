@@ -10,12 +10,14 @@ import numpy.typing as npt
 
 from pliant._core import Structure
 from pliant.base.checked import checked, having
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import prody
+else:
+    prody = late("prody")
 
 
 @checked(atoms=having("getCoordsets", "an AtomGroup or selection of ProDy"))
@@ -68,8 +70,6 @@ def to_prody(source: Molecule | Structure) -> prody.AtomGroup:
         ProDy is not installed; the message says how to install it.
     """
     need("pliant.to_prody", "prody")
-    import prody
-
     frames = Trajectory(source)
     structure = frames.structure
     atoms = prody.AtomGroup(structure.title or structure.source or "Pliant")

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from pliant._core import InputError, PliantWarning, Structure
 from pliant.base.checked import checked, having
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import Trajectory
 
@@ -19,6 +19,8 @@ _WANTED = 'an rdkit.Chem.Mol, such as Chem.MolFromMolFile("x.sdf", removeHs=Fals
 
 if TYPE_CHECKING:
     from rdkit.Chem import Conformer, Mol
+
+Chem = late("rdkit.Chem")
 
 
 @checked(molecule=having("GetConformers", _WANTED))
@@ -97,8 +99,6 @@ def to_rdkit(source: Molecule | Structure) -> Mol:
         RDKit does not accept its valences: the molecule is then not sanitised.
     """
     need("pliant.to_rdkit", "rdkit")
-    from rdkit import Chem
-
     frames = Trajectory(source)
     molecule = bonded(frames.structure)
     for positions in frames:
@@ -118,8 +118,6 @@ def to_rdkit(source: Molecule | Structure) -> Mol:
 
 def add_conformer(molecule: Mol, positions: npt.NDArray[np.float64]) -> Conformer:
     """A further conformer of a molecule, with positions (N, 3) in Angstrom."""
-    from rdkit import Chem
-
     conformer = Chem.Conformer(len(positions))
     conformer.SetPositions(np.ascontiguousarray(positions))
     return molecule.GetConformer(molecule.AddConformer(conformer, assignId=True))
@@ -127,8 +125,6 @@ def add_conformer(molecule: Mol, positions: npt.NDArray[np.float64]) -> Conforme
 
 def bonded(structure: Structure) -> Any:
     """Atoms and bonds, without conformers."""
-    from rdkit import Chem
-
     kinds = Chem.BondType
     known = {2: kinds.DOUBLE, 3: kinds.TRIPLE, 4: kinds.AROMATIC}
     orders, bonds = structure.bond_orders, structure.bonds
@@ -188,8 +184,6 @@ def _has_hydrogens_on_carbon(structure: Structure) -> bool:
 
 
 def _residue_info(structure: Structure, atom: int, name: str) -> Any:
-    from rdkit import Chem
-
     return Chem.AtomPDBResidueInfo(
         f" {name:<3}" if len(name) < 4 else name,
         int(structure.serials[atom]),

@@ -13,11 +13,16 @@ from pliant._core import InputError, PliantWarning, Structure
 from pliant.adapters.open_stereo import open_stereo
 from pliant.adapters.rdkit import from_rdkit
 from pliant.base.checked import checked, whole
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.base.refusals import shown
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
+
+Chem = late("rdkit.Chem")
+rdBase = late("rdkit.rdBase")
+rdDistGeom = late("rdkit.Chem.rdDistGeom")
+rdForceFieldHelpers = late("rdkit.Chem.rdForceFieldHelpers")
 
 #: Angstrom; a bond is never that long
 _LONGEST = 4.0
@@ -59,12 +64,10 @@ def from_smiles(smiles: str, seed: int = 0) -> Structure:
 def embedded(smiles: str, seed: int = 0) -> Mol:
     """The RDKit molecule of `from_smiles`, with one conformer."""
     need("a SMILES", "rdkit")
-    from rdkit import Chem
-
     parsed = parsed_smiles(smiles)
     if len(Chem.GetMolFrags(parsed)) > 1:
         raise InputError(f"SMILES '{smiles}': expected one molecule, found several ('.')")
-    molecule = Chem.AddHs(parsed)
+    molecule: Mol = Chem.AddHs(parsed)
     place = f"SMILES '{smiles}'"
     if left_open := embed(molecule, place, seed):
         warnings.warn(f"{place}: {left_open}", PliantWarning, stacklevel=4)
@@ -74,8 +77,6 @@ def embedded(smiles: str, seed: int = 0) -> Mol:
 
 def parsed_smiles(smiles: str) -> Mol:
     """The RDKit molecule of a SMILES. Raises InputError where RDKit cannot read all of it."""
-    from rdkit import Chem, rdBase
-
     if len(smiles) > MOST_LETTERS:
         raise InputError(
             f"SMILES {shown(smiles)}: expected at most {MOST_LETTERS} letters, found {len(smiles)}"
@@ -83,7 +84,7 @@ def parsed_smiles(smiles: str) -> Mol:
     if (words := len(smiles.split())) > 1:  # RDKit leaves out all but the first
         raise InputError(f"SMILES {shown(smiles)}: expected one word, found {words}")
     with rdBase.BlockLogs():
-        parsed = Chem.MolFromSmiles(smiles)
+        parsed: Mol = Chem.MolFromSmiles(smiles)
     if parsed is None or parsed.GetNumAtoms() == 0:
         raise InputError(f"SMILES '{smiles}': expected a molecule, RDKit cannot read it")
     return parsed
@@ -100,9 +101,6 @@ def embed(molecule: Mol, place: str, seed: int = 0) -> str:
     Raises InputError, which begins with `place`, where it holds a metal, has more than MOST_ATOMS
     atoms, or no structure is found in a number of tries that depends on its size alone.
     """
-    from rdkit import rdBase
-    from rdkit.Chem import rdForceFieldHelpers
-
     count = molecule.GetNumAtoms()
     if metals := metals_in(atom.GetSymbol() for atom in molecule.GetAtoms()):
         raise InputError(f"{place}: RDKit makes no 3-D structure of the metal {', '.join(metals)}")
@@ -124,8 +122,6 @@ def embed(molecule: Mol, place: str, seed: int = 0) -> str:
 
 
 def _placed(molecule: Mol, tries: int, seed: int, *, at_random: bool = False) -> bool:
-    from rdkit.Chem import rdDistGeom
-
     options: Any = rdDistGeom.ETKDGv3()
     options.randomSeed = seed + 1  # 0 is not a seed
     options.maxIterations = tries

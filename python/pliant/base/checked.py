@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Functions in Python that say of arguments what those in C++ do: see `_refusals`."""
+"""Functions in Python that say of arguments what those in C++ do: see `refusals`."""
 
 from __future__ import annotations
 
@@ -86,9 +86,7 @@ def checked(**wanted: Wanted) -> Callable[[Callable[P, R]], Callable[P, R]]:
 def _look_at(name: str, value: object, annotation: str, every: Mapping[str, Wanted]) -> None:
     wanted = every.get(name)
     if not fits(value, annotation) and not isinstance(value, np.bool_):
-        if wanted is None:
-            refuse(name, value, annotation)
-        raise TypeError(f"{name} = {shown(value)}: must be {wanted.words}")
+        refuse(name, value, annotation, words=wanted.words if wanted else "")
     if wanted is None or (value is None and wanted.takes_none):
         return
     if not wanted.holds(value):

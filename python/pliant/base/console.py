@@ -6,7 +6,6 @@ from __future__ import annotations
 import argparse
 import difflib
 import errno
-import importlib.util
 import json
 import math
 import os
@@ -21,10 +20,14 @@ import numpy as np
 
 from pliant._core import Error, FileError, OptionError
 from pliant.base import progress as _progress
-from pliant.base.command_progress import progress as progress
-from pliant.base.command_progress import stages as stages
-from pliant.base.extras import MissingPackageError, needed_by
+from pliant.base.extras import MissingPackageError, is_there, late, needed_by
+from pliant.base.progress import progress as progress
+from pliant.base.progress import stages as stages
 from pliant.base.said import warnings_shown_by
+
+rich_box, rich_console, rich_table, rich_text = map(
+    late, ("rich.box", "rich.console", "rich.table", "rich.text")
+)
 
 EXIT_OK = 0
 EXIT_FAILED = 1  #: bad input, a file that cannot be read or written, a check that failed
@@ -325,26 +328,21 @@ class Table:
     def print(self, to: TextIO | None = None) -> None:
         """Prints with `rich`, if installed, on a terminal, as plain aligned text elsewhere."""
         to = to or sys.stdout
-        if to.isatty() and importlib.util.find_spec("rich"):
+        if to.isatty() and is_there("rich"):
             self._print_rich(to)
         else:
             self._print_plain(to)
 
     def _print_rich(self, to: TextIO) -> None:
-        import rich.box
-        import rich.console
-        import rich.table
-        import rich.text
-
-        table = rich.table.Table(
-            title=self.title, title_justify="left", box=rich.box.SIMPLE_HEAD, pad_edge=False
+        table = rich_table.Table(
+            title=self.title, title_justify="left", box=rich_box.SIMPLE_HEAD, pad_edge=False
         )
         for k, name in enumerate(self.columns):
             left = k in self.text_columns
             table.add_column(name, justify="left" if left else "right", overflow="fold")
         for row in self.rows:
-            table.add_row(*(rich.text.Text(cell, style=_style(cell)) for cell in row))
-        rich.console.Console(file=to, highlight=False).print(table)
+            table.add_row(*(rich_text.Text(cell, style=_style(cell)) for cell in row))
+        rich_console.Console(file=to, highlight=False).print(table)
 
     def _print_plain(self, to: TextIO) -> None:
         widths = [max(map(len, column)) for column in zip(self.columns, *self.rows, strict=True)]

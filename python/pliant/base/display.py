@@ -21,12 +21,18 @@ ROW = (
 )
 
 
+_ESCAPES = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#x27;"})
+
+
 def as_html(title: str, facts: Iterable[tuple[str, str]]) -> str:
     """The facts as a table; text is escaped."""
-    from html import escape  # slow to import: it knows 2231 names of characters
+    rows = "".join(ROW.format(_escaped(what), _escaped(value)) for what, value in facts)
+    return TABLE.format(_escaped(title), rows)
 
-    rows = "".join(ROW.format(escape(what), escape(value)) for what, value in facts)
-    return TABLE.format(escape(title), rows)
+
+def _escaped(text: str) -> str:
+    """As html.escape, which is slow to import: it knows 2231 names of characters."""
+    return text.translate(_ESCAPES)
 
 
 def as_text(title: str, facts: Iterable[tuple[str, str]]) -> str:

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Optional packages: where one is missing, one line says so, with the pip command."""
+"""Optional packages: where one is missing, one line says so, with the pip command. Modules that are
+imported when they are used."""
 
 from __future__ import annotations
 
 import contextlib
 import importlib.util
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -59,6 +60,22 @@ def needed_by(what: str, extra: str = "", inside: bool = False) -> Iterator[None
         if package not in _EXTRAS:
             raise
         raise _missing(what, package, extra) from None
+
+
+class _LateModule:
+    def __init__(self, name: str) -> None:
+        self.__name__ = name
+
+    def __getattr__(self, name: str) -> Any:
+        found = getattr(importlib.import_module(self.__name__), name)
+        setattr(self, name, found)  # is looked for once
+        return found
+
+
+def late(module: str) -> Any:
+    """A module that is imported when something of it is used: one that is slow to import, or of a
+    package that may be missing."""
+    return _LateModule(module)
 
 
 def is_there(package: str) -> bool:

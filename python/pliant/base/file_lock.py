@@ -3,9 +3,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 from typing import IO, Any
+
+if sys.platform == "win32":
+    import msvcrt
+else:
+    with contextlib.suppress(ModuleNotFoundError):  # where a test takes it away
+        import fcntl
 
 # Windows locks bytes, and lets nobody else read them: one far behind all that the file will hold.
 _FAR = 1 << 62
@@ -14,8 +21,6 @@ _FAR = 1 << 62
 def take_lock(file: IO[Any]) -> None:
     """Raises OSError if another process has it."""
     if sys.platform == "win32":
-        import msvcrt
-
         number = file.fileno()
         before = os.lseek(number, 0, os.SEEK_CUR)
         os.lseek(number, _FAR, os.SEEK_SET)
@@ -24,6 +29,4 @@ def take_lock(file: IO[Any]) -> None:
         finally:
             os.lseek(number, before, os.SEEK_SET)
     else:
-        import fcntl
-
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -1,21 +1,30 @@
 # SPDX-License-Identifier: MIT
-"""Progress bars of calls that take seconds: in notebooks and on terminals, nowhere else.
+"""Progress of what takes seconds: bars in notebooks and on terminals, nowhere else.
 
-They are tqdm's where it is installed (MDAnalysis brings it). TQDM_DISABLE=1 hides them.
+Those of calls are tqdm's where it is installed (MDAnalysis brings it); TQDM_DISABLE=1 hides them.
+Those of commands are their own, with --quiet none; where there is no terminal, what takes minutes
+says lines.
 """
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 import time
 import warnings
+from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Any, Protocol
+
+from pliant.base.extras import is_there, late
+
+tqdm_auto, rich_console, rich_live = map(late, ("tqdm.auto", "rich.console", "rich.live"))
 
 DELAY = 2.0  #: seconds that a call takes before its bar is shown
 INTERVAL = 0.1  #: seconds from one look of a call at its bar, and at Ctrl-C, to the next
 WIDTH = 24  #: characters of a bar of our own
+LINE_EVERY = 10.0  #: seconds between lines of progress where there is no terminal
 
 _hidden = False
 
@@ -71,9 +80,7 @@ class _TqdmBar:
     def __init__(self, what: str, total: int) -> None:
         with warnings.catch_warnings():  # without ipywidgets tqdm draws text, and warns of it
             warnings.simplefilter("ignore")
-            from tqdm.auto import tqdm
-
-            self._bar: Any = tqdm(total=total, desc=what, delay=DELAY, leave=False)
+            self._bar: Any = tqdm_auto.tqdm(total=total, desc=what, delay=DELAY, leave=False)
 
     def show(self, done: int) -> None:
         self._bar.update(done - self._bar.n)
@@ -93,13 +100,20 @@ class _PlainBar:
         if time.monotonic() - self._begun < DELAY:
             return
         self._is_shown = True
-        bar = "#" * (WIDTH * done // max(self._total, 1))
-        text = f"{self._what}: [{bar:.<{WIDTH}}] {done} / {self._total}"
-        print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
+        _draw(self._what, done, self._total)
 
     def close(self) -> None:
         if self._is_shown:
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+            _over_the_line("")
+
+
+def _draw(what: str, done: int, total: int, more: str = "") -> None:
+    bar = "#" * (WIDTH * done // max(total, 1))
+    _over_the_line(f"{what}: [{bar:.<{WIDTH}}] {done} / {total}{more}")
+
+
+def _over_the_line(text: str) -> None:
+    print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
 
 
 class Stages:
@@ -126,3 +140,57 @@ class Stages:
     ) -> None:
         if self._bar is not None:
             self._bar.close()
+
+
+@contextlib.contextmanager
+def progress(
+    what: str, quiet: bool = False, *, lines: bool = False, rate: bool = False
+) -> Iterator[Callable[[int, int], None]]:
+    """Gives a function (done, total) that draws a bar over itself: on a terminal, in a notebook.
+
+    Elsewhere nothing is drawn, or with `lines`, for work of minutes, a line now and then. With
+    `rate` the bar says how many are done in a second.
+    """
+    shown = not quiet and sys.stderr.isatty()
+    bars: list[Bar | None] = []
+    last, shown_done = time.monotonic(), -1
+    began: list[tuple[int, float]] = []
+
+    def show(done: int, total: int) -> None:
+        if shown:
+            began[:] = began or [(done, time.monotonic())]
+            first, at = began[0]
+            speed = (done - first) / max(time.monotonic() - at, 1e-3)
+            _draw(what, done, total, f", {speed:.1f} a second" if rate else "")
+        elif not quiet and in_notebook():
+            bars[:] = bars or [begin(what, total)]
+            if bars[0] is not None:
+                bars[0].show(done)
+        elif not quiet and lines:
+            say(done, total)
+
+    def say(done: int, total: int) -> None:
+        nonlocal last, shown_done
+        if time.monotonic() - last >= LINE_EVERY and done != shown_done:
+            last, shown_done = time.monotonic(), done
+            print(f"{what}: {done} of {total}", file=sys.stderr, flush=True)
+
+    try:
+        yield show
+    finally:
+        if shown:
+            _over_the_line("")
+        for one in filter(None, bars):
+            one.close()
+
+
+@contextlib.contextmanager
+def stages(quiet: bool) -> Iterator[Callable[[str], None]]:
+    """Gives a function that shows what is under way; only on a terminal, and with `rich`."""
+    if quiet or not sys.stderr.isatty() or not is_there("rich"):
+        yield lambda name: None
+        return
+    # Without a thread of its own, which would keep the figures from being drawn in two processes.
+    console = rich_console.Console(stderr=True)
+    with rich_live.Live(console=console, auto_refresh=False, transient=True) as line:
+        yield lambda name: line.update(f"{name} ...", refresh=True)

@@ -4,15 +4,22 @@
 from __future__ import annotations
 
 import ast
-import importlib
 import math
 import os
 import reprlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from inspect import Signature
 from typing import Any, NoReturn
 
+from pliant import _core
+from pliant._core import OptionError
+from pliant.base.extras import late
 from pliant.base.signatures import documented, name_of, property_set_by, signature_of
+
+difflib = late("difflib")
+
+#: by the name of a type of many kinds: what refuses None, in words of its own
+EXPLAINED: dict[str, Callable[[object], object]] = {}
 
 #: whole numbers that 64 bits hold, with a sign and without
 _SIGNED = (-(2**63), 2**63 - 1)
@@ -68,8 +75,6 @@ def refuse(
 
     `words`: what it must be, where the annotation says less.
     """
-    from pliant._core import OptionError
-
     if least is not None and most is not None and _is_whole(value):
         wanted = f"a whole number from {least} to {most}"
         raise OptionError(f"{name} = {shown(value)}: must be {wanted}")
@@ -114,9 +119,9 @@ def _given(
 def _refuse_unfit(function: Any, name: str, value: object, annotation: str) -> None:
     """Raises TypeError, or OptionError for a whole number that no whole number of C++ can be."""
     known = property_set_by(function) or name
-    if value is None and "Molecule" in kinds_of(annotation):
-        importlib.import_module("pliant.trajectory.sources").kind_of(value)  # which raises
-    if not _holds(value, ast.parse(annotation, mode="eval").body):
+    for kind in EXPLAINED.keys() & set(kinds_of(annotation)) if value is None else ():
+        EXPLAINED[kind](value)  # which raises
+    if not fits(value, annotation):
         says_less = _SAY_LITTLE.intersection(kinds_of(annotation))
         refuse(known, value, annotation, words=documented(function, name) if says_less else "")
     if _is_whole(value) and "int" in kinds_of(annotation):
@@ -128,8 +133,6 @@ def refuse_unknown(function: str, names: Iterable[str], named: Iterable[str]) ->
     known = list(names)
     for name in named:
         if name not in known:
-            import difflib
-
             model = _with_model(function, name)
             like = [] if model else difflib.get_close_matches(name, known, 1)
             hint = f" (did you mean {like[0]!r}?)" if like else ""
@@ -143,8 +146,6 @@ def refuse_unknown(function: str, names: Iterable[str], named: Iterable[str]) ->
 
 def _with_model(function: str, name: str) -> str:
     """How a function that builds no model is given one with an argument of `build_model`."""
-    from pliant import _core
-
     if function not in _WITH_MODEL or name not in signature_of(_core.build_model).parameters:
         return ""
     return _WITH_MODEL[function].format(name)
@@ -179,7 +180,7 @@ def _kind(one: ast.expr) -> str:
 
 
 def _holds(value: object, wanted: ast.expr) -> bool:
-    """Whether a value and what it holds may be of the type; None only where it is named."""
+    """The same of a parsed type; None only where it is named."""
     if isinstance(wanted, ast.BinOp):
         return _holds(value, wanted.left) or _holds(value, wanted.right)
     kind = _kind(wanted)
@@ -189,14 +190,14 @@ def _holds(value: object, wanted: ast.expr) -> bool:
         return True
     items: list[Any] = list(value)  # type: ignore[call-overload]
     inner = wanted.slice.elts if isinstance(wanted.slice, ast.Tuple) else [wanted.slice]
-    if kind != "tuple":
+    if kind != "tuple" or ast.unparse(inner[-1]) == "...":
         return all(_holds(one, inner[0]) for one in items)
     return len(items) == len(inner) and all(map(_holds, items, inner))
 
 
 def fits(value: object, annotation: str) -> bool:
-    """Whether a value may be of the type; True where that is not known."""
-    return any(_is_of(value, kind) for kind in kinds_of(annotation))
+    """Whether a value and what it holds may be of the type; True where that is not known."""
+    return _holds(value, ast.parse(annotation, mode="eval").body)
 
 
 def _is_of(value: object, kind: str) -> bool:
@@ -225,8 +226,6 @@ def _is_of(value: object, kind: str) -> bool:
 
 def _is_object_of(value: object, kind: str) -> bool:
     """Whether it is an object of one of our classes."""
-    from pliant import _core
-
     known = getattr(_core, kind, None)
     return isinstance(value, known) if isinstance(known, type) else True
 

@@ -10,6 +10,8 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from pliant import _core
+
 
 def _parsed(signature: str) -> ast.FunctionDef:
     """A signature of nanobind, whose defaults are literals, or places in a tuple: ``\\0``."""
@@ -74,8 +76,6 @@ def name_of(function: Any) -> str:
 
 def property_set_by(function: Any) -> str:
     """The name of the property, which nanobind does not tell its setter; "" of other functions."""
-    from pliant import _core
-
     for kind in vars(_core).values():
         for name, one in vars(kind).items() if isinstance(kind, type) else ():
             if getattr(one, "fset", None) is function:
@@ -85,8 +85,6 @@ def property_set_by(function: Any) -> str:
 
 def documented(function: Any, name: str) -> str:
     """What the text on a function or class says that an argument is: "an array (N, 3)"."""
-    from pliant import _core
-
     owner, _, method = str(function.__qualname__).rpartition(".")
     told = getattr(_core, owner, None) if method == "__init__" else function
     found = re.search(rf"^{name} : (.*?)(, optional)?$", told.__doc__ or "", re.MULTILINE)

@@ -9,19 +9,19 @@ from pliant.checks.findings import CANNOT, SKIPPED, Finding, verdict
 from pliant.checks.openmm.child import Job, Outcome
 from pliant.checks.sample import NM, Sample
 from pliant.measure import bars as _bars
-from pliant.trajectory.recording import Recording
+from pliant.trajectory.h5md import FramesOfH5md
 
 AGREEMENT = 1e-10  #: relative difference accepted of two energies
 _TITLE = "HarmonicBondForce has our energy"
 _ZERO = "and next to none on whole frames"
 
 
-def constants_of(recording: Recording) -> np.ndarray:
+def constants_of(recording: FramesOfH5md) -> np.ndarray:
     """(B,) kJ/(mol nm^2): as stiff as bonds are, and unlike each other, so that no two mix."""
     return 250_000.0 * (1 + 0.1 * (np.arange(len(recording.bars)) % 7))
 
 
-def energy_job(recording: Recording, structures: np.ndarray) -> Job:
+def energy_job(recording: FramesOfH5md, structures: np.ndarray) -> Job:
     """The job for check_energy; structures (S, N, 3) Angstrom."""
     arrays = {
         "masses": recording.masses,
@@ -33,7 +33,7 @@ def energy_job(recording: Recording, structures: np.ndarray) -> Job:
     return Job("bond_energies", {"platform": "Reference"}, arrays)
 
 
-def our_energies(recording: Recording, structures: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def our_energies(recording: FramesOfH5md, structures: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(S,) energies, kJ/mol, and what rounding may change of each."""
     rest, constants = recording.rest_lengths * NM, constants_of(recording)
     pairs = [_bars.harmonic_energy(x * NM, recording.bars, rest, constants) for x in structures]

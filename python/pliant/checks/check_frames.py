@@ -119,7 +119,7 @@ def _notes_on_stay(
         notes.append(
             f"of {int((~whole).sum())} frames that say they did not converge OpenMM moves {moved}"
         )
-    triangles = len(_bars.isolated_triangles(sample.recording.bars, sample.recording.joint_count))
+    triangles = len(_bars.isolated_triangles(sample.recording.bars, sample.recording.atom_count))
     if triangles:
         notes.append(
             f"{triangles} isolated triangles are SETTLE's, which keeps their distances as 32-bit "

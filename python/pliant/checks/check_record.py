@@ -10,9 +10,10 @@ import numpy as np
 
 from pliant.checks.findings import Finding, verdict
 from pliant.measure import bars as _bars
-from pliant.trajectory.recording import Recording
+from pliant.trajectory.h5md import FramesOfH5md
 
 MOST_NAMED = 3  #: frames that a message names
+BLOCK_BYTES = 32 << 20  #: frames are read in pieces of about this size
 
 
 @dataclass
@@ -35,10 +36,10 @@ class Remeasured:
 
 
 def remeasure(
-    recording: Recording, progress: Callable[[int, int], None] = lambda *_: None
+    recording: FramesOfH5md, progress: Callable[[int, int], None] = lambda *_: None
 ) -> Remeasured:
     """Measures every bar of every frame."""
-    count = recording.frame_count
+    count = len(recording)
     found = Remeasured(
         np.zeros(count),
         np.zeros(count, int),
@@ -46,9 +47,11 @@ def remeasure(
         np.ones(count, bool),
         np.zeros(count),
     )
-    start = None
-    for first, block in recording.blocks():
-        pinned = block[:, recording.pinned]
+    start, is_pinned = None, recording.pinned
+    size = max(1, BLOCK_BYTES // max(24 * recording.atom_count, 1))
+    for first in range(0, count, size):
+        block = recording.read(np.arange(first, min(first + size, count)))
+        pinned = block[:, is_pinned]
         start = pinned[0] if start is None else start
         found.pinned_move = max(found.pinned_move, _bars.furthest_move(pinned, start))
         for k, positions in enumerate(block, start=first):
@@ -57,7 +60,9 @@ def remeasure(
     return found
 
 
-def _measure_frame(recording: Recording, positions: np.ndarray, k: int, found: Remeasured) -> None:
+def _measure_frame(
+    recording: FramesOfH5md, positions: np.ndarray, k: int, found: Remeasured
+) -> None:
     found.finite[k] = bool(np.isfinite(positions).all())
     if len(recording.bars) == 0:
         return
@@ -70,7 +75,7 @@ def _measure_frame(recording: Recording, positions: np.ndarray, k: int, found: R
     found.rounding[k] = rounding.max()
 
 
-def check_record(recording: Recording, found: Remeasured) -> Finding:
+def check_record(recording: FramesOfH5md, found: Remeasured) -> Finding:
     """Frames that the file calls converged are; the residuals that it records are theirs."""
     whole = found.finite & (found.excess <= 1.0)
     broken = np.flatnonzero(recording.converged & ~whole)
@@ -83,7 +88,7 @@ def check_record(recording: Recording, found: Remeasured) -> Finding:
         measured=f"{np.max(found.residual[recording.converged], initial=0.0):.2e}",
         allowed=_allowed(recording),
         figures={
-            "frames": recording.frame_count,
+            "frames": len(recording),
             "not_converged": len(said),
             "broken": len(broken),
             "recorded_differently": len(differing),
@@ -100,19 +105,19 @@ def check_record(recording: Recording, found: Remeasured) -> Finding:
         finding.notes.append(f"a pinned joint moved by {found.pinned_move:.1e} A")
     if len(said):
         finding.notes.append(
-            f"{len(said)} of {recording.frame_count} frames say that they did not converge "
+            f"{len(said)} of {len(recording)} frames say that they did not converge "
             f"(the first is step {recording.steps[said[0]]}, the worst residual "
             f"{found.residual[said].max():.1e}); they are not judged"
         )
     return finding
 
 
-def _allowed(recording: Recording) -> str:
+def _allowed(recording: FramesOfH5md) -> str:
     tolerance = recording.tolerance
     return f"{tolerance.length:g} A" if tolerance.length > 0 else f"{tolerance.relative:.2e}"
 
 
-def _differing(recording: Recording, found: Remeasured) -> np.ndarray:
+def _differing(recording: FramesOfH5md, found: Remeasured) -> np.ndarray:
     recorded = recording.observables.get("max_residual")
     if recorded is None:
         return np.empty(0, int)
@@ -121,7 +126,7 @@ def _differing(recording: Recording, found: Remeasured) -> np.ndarray:
     return np.flatnonzero(~(np.abs(recorded - found.residual) <= allowed))
 
 
-def _name_broken(recording: Recording, found: Remeasured, broken: np.ndarray) -> str:
+def _name_broken(recording: FramesOfH5md, found: Remeasured, broken: np.ndarray) -> str:
     named = [
         f"step {recording.steps[k]} (bar {recording.bar_label(found.worst_bar[k])} off by "
         f"{found.residual[k]:.1e} of its length)"
@@ -131,7 +136,7 @@ def _name_broken(recording: Recording, found: Remeasured, broken: np.ndarray) ->
     return f"{len(broken)} frames are called converged and are not: {', '.join(named)}{more}"
 
 
-def _name_differing(recording: Recording, found: Remeasured, differing: np.ndarray) -> str:
+def _name_differing(recording: FramesOfH5md, found: Remeasured, differing: np.ndarray) -> str:
     recorded = recording.observables["max_residual"]
     named = [
         f"step {recording.steps[k]} ({recorded[k]:.3e} recorded, {found.residual[k]:.3e} measured)"

@@ -93,7 +93,7 @@ def describe(contest: Contest, j: int, after: np.ndarray, seconds: np.ndarray) -
 
 def _float_floor(contest: Contest) -> float:
     recording = contest.sample.recording
-    triangles = _bars.isolated_triangles(recording.bars, recording.joint_count)
+    triangles = _bars.isolated_triangles(recording.bars, recording.atom_count)
     return 2 * _bars.FLOAT_ROUNDING if len(triangles) else 0.0
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from pliant.base.console import counted
 from pliant.checks.force_field.minimised import ForceFieldReport, listed
-from pliant.trajectory.recording import Recording
+from pliant.trajectory.h5md import FramesOfH5md
 
 
 @dataclass(frozen=True)
@@ -34,8 +34,8 @@ class Coverage:
         return f"{bars}; MD starts: {counted(self.md_starts, 'frame')}{alone}"
 
 
-def coverage(recording: Recording, found: ForceFieldReport | None) -> Coverage:
+def coverage(recording: FramesOfH5md, found: ForceFieldReport | None) -> Coverage:
     """Of a check whose force field found `found`, if it was asked."""
     if found is None or found.why_not:
-        return Coverage(recording.frame_count)
-    return Coverage(recording.frame_count, len(found.usable), found.left_out)
+        return Coverage(len(recording))
+    return Coverage(len(recording), len(found.usable), found.left_out)

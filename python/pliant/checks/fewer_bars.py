@@ -21,14 +21,12 @@ def for_constraints(sample: Sample) -> Sample:
     recording = sample.recording
     if not recording.angle_bars or len(recording.bars) <= MOST_BARS:
         return sample
-    count = recording.joint_count
-    chosen = np.isin(_keys(recording.bars, count), _keys(recording.bonds, count))
+    count = recording.atom_count
+    bonds = recording.structure.bonds.astype(np.int64)
+    chosen = np.isin(_keys(recording.bars, count), _keys(bonds, count))
     if not chosen.any():
         return sample
-    fewer = replace(
-        recording, bars=recording.bars[chosen], rest_lengths=recording.rest_lengths[chosen]
-    )
-    return replace(sample, recording=fewer)
+    return replace(sample, recording=recording.with_bars(chosen))
 
 
 def _keys(pairs: np.ndarray, count: int) -> np.ndarray:

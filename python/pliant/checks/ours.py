@@ -11,7 +11,7 @@ import numpy as np
 from pliant._core import Framework, OptionError, Resolver, choose_technique, techniques
 from pliant.checks.contest import BUDGET_SECONDS, REPEATS, Contest, Method, Result, describe
 from pliant.checks.weightings import WEIGHTINGS
-from pliant.trajectory.recording import Recording
+from pliant.trajectory.h5md import FramesOfH5md
 
 DEFAULT = ("auto", 0.5)  #: technique and weighting of `pliant run`
 THESIS = ("bfs_cycle", 0.5)  #: the best plain sweeps of the thesis
@@ -19,18 +19,18 @@ TRIAL_SWEEPS = 1000
 TRIAL_SECONDS = 20.0
 
 
-def free_framework(recording: Recording) -> Framework:
+def free_framework(recording: FramesOfH5md) -> Framework:
     """The framework of the file with every joint free, as OpenMM is given it."""
     return Framework(
         recording.bars,
         recording.rest_lengths,
-        recording.joint_count,
+        recording.atom_count,
         masses=recording.masses,
-        names=recording.names or None,
+        names=recording.structure.names.tolist() if recording.has_names else None,
     )
 
 
-def resolved_copies(recording: Recording, broken: np.ndarray, tolerance: float) -> np.ndarray:
+def resolved_copies(recording: FramesOfH5md, broken: np.ndarray, tolerance: float) -> np.ndarray:
     """The broken structures (S, N, 3) that the default technique resolves, after resolving."""
     technique, weighting = DEFAULT
     resolver = Resolver(free_framework(recording), technique, weighting, tolerance=tolerance)

@@ -12,7 +12,7 @@ from pliant._core import InputError
 from pliant.checks.openmm.child import Job
 from pliant.measure import bars as _bars
 from pliant.trajectory.chosen_frames import choose_frames
-from pliant.trajectory.recording import Recording
+from pliant.trajectory.h5md import FramesOfH5md
 
 NM = 0.1  #: nanometres in an Angstrom
 MOST_BYTES = 2 << 30  #: of sampled positions
@@ -22,7 +22,7 @@ MOST_BYTES = 2 << 30  #: of sampled positions
 class Sample:
     """Some frames of a recording, in double precision."""
 
-    recording: Recording
+    recording: FramesOfH5md
     frames: np.ndarray  #: (S,) frame numbers, ascending
     positions: np.ndarray  #: (S, N, 3) Angstrom
 
@@ -53,27 +53,27 @@ class Sample:
         )
 
 
-def take_sample(recording: Recording, wanted: int | str, worst: int | None = None) -> Sample:
+def take_sample(recording: FramesOfH5md, wanted: int | str, worst: int | None = None) -> Sample:
     """Reads `wanted` frames (or "all"), frame number `worst` among them.
 
     Raises InputError when they would take more memory than they should, or none has finite
     coordinates.
     """
-    frames = choose_frames(recording.frame_count, wanted, worst)
-    size = 24 * len(frames) * recording.joint_count
+    frames = choose_frames(len(recording), wanted, worst)
+    size = 24 * len(frames) * recording.atom_count
     if size > MOST_BYTES:
         raise InputError(
-            f"--frames: {len(frames)} frames of {recording.joint_count} atoms take "
+            f"--frames: {len(frames)} frames of {recording.atom_count} atoms take "
             f"{size / 2**30:.1f} GiB of memory; choose fewer"
         )
-    positions = recording.positions(frames)
+    positions = recording.read(frames)
     finite = np.isfinite(positions).all(axis=(1, 2))
     if not finite.any():
-        raise InputError(f"{recording.path}: no frame has finite coordinates")
+        raise InputError(f"{recording.name}: no frame has finite coordinates")
     return Sample(recording, frames[finite], positions[finite])
 
 
-def constraint_job(recording: Recording, kind: str, tolerance: float, **more: Any) -> Job:
+def constraint_job(recording: FramesOfH5md, kind: str, tolerance: float, **more: Any) -> Job:
     """A job on the framework of the file: every joint free, with its mass.
 
     Pinned joints are free here: OpenMM refuses a constraint between a joint of mass 0 and another.

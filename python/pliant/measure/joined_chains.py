@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
+from MDAnalysis.lib.distances import minimize_vectors
 
 
 def joined_along(positions: np.ndarray, cell: np.ndarray | None) -> np.ndarray:
@@ -13,8 +14,6 @@ def joined_along(positions: np.ndarray, cell: np.ndarray | None) -> np.ndarray:
     them. A chain begins at the image next to the end of the chain before it: right where that is
     nearer than half a cell. Returns (n, 3), float64.
     """
-    from MDAnalysis.lib.distances import minimize_vectors
-
     wide = np.array(positions, dtype=np.float64)
     if cell is None or len(wide) < 2 or not np.all(np.asarray(cell[:3]) > 0):
         return wide

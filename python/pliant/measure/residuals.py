@@ -11,21 +11,20 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant.measure.frames import FrameAnalysis, Merge, joined, largest
-from pliant.trajectory.record import DEFAULT_TOLERANCE, read_record
-from pliant.trajectory.stored import StoredPositions
+from pliant.trajectory.frames import Frames, Tolerance
+from pliant.trajectory.universe import source_of
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe
-
-    from pliant.trajectory.record import RunRecord
 
 
 class BarResiduals(FrameAnalysis):
     """How far each bar is from its rest length: largest, root mean square and worst bar.
 
     The relative residual of a bar is (length - rest) / rest. Coordinates come from the file in
-    the precision in which they are stored (see :class:`~pliant.trajectory.stored.StoredPositions`);
-    bars, rest lengths and tolerance from the file too, unless given.
+    the precision in which they are stored, where MDAnalysis has 32-bit floats: 4e-6 Angstrom at 50
+    Angstrom, too coarse to judge a bar of 1 Angstrom to one part in a million. Bars, rest lengths
+    and tolerance come from the file too, unless given.
 
     Parameters
     ----------
@@ -38,8 +37,10 @@ class BarResiduals(FrameAnalysis):
         Largest |relative residual| of a whole bar. Default: that of the run, or 1e-6.
     tolerance_length : float, optional
         Largest |length - rest| in Angstrom; if > 0 it holds in place of `tolerance`.
-    positions : StoredPositions, optional
+    frames : Frames, optional
         Where coordinates come from; default: the file of the universe's trajectory.
+    numbers : (F,) integers, optional
+        Which of `frames` those of the universe are. Default: they are the same.
 
     Attributes
     ----------
@@ -82,22 +83,29 @@ class BarResiduals(FrameAnalysis):
         *,
         tolerance: float | None = None,
         tolerance_length: float | None = None,
-        positions: StoredPositions | None = None,
+        frames: Frames | None = None,
+        numbers: np.ndarray | None = None,
         **kwargs: Any,
     ) -> None:
         super().__init__(universe.trajectory, **kwargs)
         if (bars is None) != (rest_lengths is None):
             raise ValueError("bars and rest_lengths: expected both or neither")
-        record = _record_of(universe) if bars is None or tolerance is None else None
+        self._frames = source_of(universe.trajectory) if frames is None else frames
+        self._numbers = numbers
         if bars is None or rest_lengths is None:
-            if record is None or record.bars is None or record.rest_lengths is None:
+            if self._frames is None or len(self._frames.bars) == 0:
                 raise ValueError("the trajectory holds no bars with rest lengths: give them")
-            bars, rest_lengths = record.bars, record.rest_lengths
+            bars, rest_lengths = self._frames.bars, self._frames.rest_lengths
         self.bars, self.rest_lengths = _checked(bars, rest_lengths, len(universe.atoms))
-        self.tolerance, self.tolerance_length = _tolerances(record, tolerance, tolerance_length)
-        self._positions = positions or StoredPositions(universe.trajectory)
-        self.precision = self._positions.precision
-        self.rounded_to = self._positions.rounded_to
+        usual = Tolerance()
+        if tolerance is None and self._frames is not None:
+            usual = self._frames.tolerance
+        length = usual.length if tolerance_length is None else tolerance_length
+        self.tolerance = float(usual.relative if tolerance is None else tolerance)
+        self.tolerance_length = float(length)
+        is_exact = self._frames is not None and not self._frames.is_single
+        self.precision = "float64" if is_exact else "float32"
+        self.rounded_to = 0.0 if self._frames is None else self._frames.rounded_to
 
     @property
     def accepted(self) -> np.ndarray:
@@ -118,7 +126,7 @@ class BarResiduals(FrameAnalysis):
         self.results.bar_max_relative = np.zeros(len(self.bars))
 
     def _single_frame(self) -> None:
-        positions = self._positions.at(self._ts)
+        positions = self._positions()
         error = np.abs(_lengths(positions, self.bars) - self.rest_lengths)
         relative = error / self.rest_lengths
         k = self._frame_index
@@ -130,8 +138,14 @@ class BarResiduals(FrameAnalysis):
         self.results.within[k] = bool(np.all(error <= self.accepted))
         np.maximum(self.results.bar_max_relative, relative, out=self.results.bar_max_relative)
 
-    def _conclude(self) -> None:
-        self._positions.close()
+    def _positions(self) -> np.ndarray:
+        """(N, 3) of the current frame, float64."""
+        if self._frames is None:
+            rounded: np.ndarray = self._ts.positions.astype(np.float64)
+            return rounded
+        number = self._ts.frame if self._numbers is None else self._numbers[self._ts.frame]
+        stored: np.ndarray = self._frames.read(np.array([number]))[0]
+        return stored
 
 
 def bar_residuals(
@@ -146,28 +160,6 @@ def _lengths(positions: np.ndarray, bars: np.ndarray) -> np.ndarray:
     along = positions.take(bars[:, 1], axis=0)
     along -= positions.take(bars[:, 0], axis=0)
     return np.asarray(np.sqrt(np.einsum("ij,ij->i", along, along)))
-
-
-def _record_of(universe: Universe) -> RunRecord | None:
-    filename = universe.trajectory.filename
-    if not isinstance(filename, (str, bytes)) and not hasattr(filename, "__fspath__"):
-        return None
-    try:
-        return read_record(filename)
-    except OSError:
-        return None
-
-
-def _tolerances(
-    record: RunRecord | None, tolerance: float | None, tolerance_length: float | None
-) -> tuple[float, float]:
-    if tolerance_length is None:
-        tolerance_length = 0.0
-        if record is not None and tolerance is None:
-            tolerance_length = record.tolerance_length
-    if tolerance is None:
-        tolerance = record.tolerance if record is not None else DEFAULT_TOLERANCE
-    return float(tolerance), float(tolerance_length)
 
 
 def _checked(

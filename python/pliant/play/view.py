@@ -52,8 +52,7 @@ def view(source: Any, *, model: str = "auto", height: int = 560) -> PlayView:
     ----------
     source : Structure, path, Graph, SampledEnsemble, RunResult, MolecularPath, Trajectory, ...
         A path is of any file that Pliant reads, or of an H5MD trajectory. Of a Universe of
-        MDAnalysis and of molecules of other packages the current or first frame; a RunRecord shows
-        the trajectory that it was read from.
+        MDAnalysis and of molecules of other packages the current or first frame.
     model : str
         What holds the molecule: a name in ``models()``, or "auto" for what fits. The model of a
         protein takes waters out and adds polar hydrogens: ``names`` then tells which joints there

@@ -141,7 +141,7 @@ def _analyse_ensemble(options: argparse.Namespace) -> int:
     from pliant.report.save import save
     from pliant.report.shards.sections import SECTIONS
     from pliant.shards.flexibility import flexibility
-    from pliant.trajectory.shards.frames import folder_of
+    from pliant.trajectory.shards.plan import folder_of
 
     usual = vars(_parser().parse_args([options.file]))
     for name in sorted(set(usual) - {"file", "output", "workers", "dpi", "json", "quiet"}):

@@ -16,8 +16,6 @@ from pliant.measure.stages.opened import opened
 from pliant.measure.stages.reference import reference_of
 from pliant.report.multi_model import write_chosen
 from pliant.trajectory.files import file_of
-from pliant.trajectory.shards.frames import folder_of
-from pliant.trajectory.shards.plan import PLAN, is_ensemble
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import HasFrames
 
@@ -79,8 +77,6 @@ def representatives(
     if output is not None and Path(output).exists() and not overwrite:
         raise InputError(f"{os.fspath(output)}: exists; overwrite=True replaces it")
     file, _folder = file_of(path, "representatives")
-    if is_ensemble(file):
-        file = str(folder_of(Path(file)) / PLAN)
     named = None if topology is None else os.fspath(topology)
     analysis = opened(AnalysisOptions(file, named, select, superpose))
     analysis = analysis.having(reference_of(analysis)) if shapes else analysis

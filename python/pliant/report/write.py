@@ -77,9 +77,7 @@ def _page(report: Report[Analysis], saved: Saved[Analysis], more: Additions, dpi
 
 def _title(analysis: Analysis) -> str:
     """Name of the molecule's file, or of the trajectory."""
-    if analysis.record and analysis.record.parameters.get("input/file"):
-        return Path(str(analysis.record.parameters["input/file"])).name
-    return Path(analysis.options.path).name
+    return Path(str(analysis.source.parameters.get("input/file", analysis.options.path))).name
 
 
 def _subtitle(analysis: Analysis) -> list[str]:
@@ -89,7 +87,7 @@ def _subtitle(analysis: Analysis) -> list[str]:
     parts.append(f"{len(analysis.frames):,} frames")
     if analysis.steps is not None and analysis.kind != ENSEMBLE:
         parts.append(f"steps {analysis.steps[0]:,} to {analysis.steps[-1]:,}")
-    run = analysis.record.parameters if analysis.record else {}
+    run = analysis.source.parameters
     if "run/technique" in run:
         parts.append(_technique(run))
     return [*parts, Path(analysis.options.path).name]
@@ -103,7 +101,7 @@ def _technique(run: Mapping[str, Any]) -> str:
 
 
 def _options(analysis: Analysis) -> dict[str, str]:
-    run = analysis.record.parameters if analysis.record else {}
+    run = analysis.source.parameters
     rows = [
         (name, f"{value:g}" if isinstance(value, float) else str(value))
         for name, value in sorted(run.items())

@@ -14,10 +14,13 @@ from typing import Any
 
 from pliant._core import OptionError
 from pliant.base.console import warn
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.base.processes import usual_workers
 from pliant.shards.make_shard import END_SECONDS
 from pliant.shards.queue_jobs import Queue
+
+dask, distributed = late("dask"), late("distributed")
+addressing = late("distributed.comm.addressing")
 
 #: Workers that die with a shard before it is given up: a machine that fails takes many along.
 _DEATHS = 20
@@ -56,8 +59,6 @@ def open_place(
     There are no more workers than shards, and no more than cores unless `workers` says so.
     """
     need("pliant ensemble", "dask", "distributed")
-    import dask
-
     dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS})
     dask.config.set({"distributed.deploy.lost-worker-timeout": f"{2 * _REGROW_SECONDS:.0f} s"})
     # Lost workers show by what they did not bring; no pages of stack traces.
@@ -67,14 +68,16 @@ def open_place(
         with _client_of_scheduler(scheduler) as client, _watched(client, lambda: None):
             yield Place(client)
         return
-    from distributed import Client
-
     queue = Queue(cluster) if cluster else None
     if queue:
         made, grow = queue.jobs(workers, shards)
     else:
         made, grow = _local(min(workers or usual_workers(), shards))
-    with made as place, Client(place, set_as_default=False) as client, _watched(client, grow):
+    with (
+        made as place,
+        distributed.Client(place, set_as_default=False) as client,
+        _watched(client, grow),
+    ):
         # On Linux commands end with their workers, after a commit.
         here = Place(client, end_seconds=END_SECONDS if sys.platform == "linux" else 0.0)
         yield Place(client, queue.expect_jobs) if queue else here
@@ -126,20 +129,17 @@ def dashboard_of(client: Any) -> str | None:
 
 
 def _client_of_scheduler(address: str) -> Any:
-    from distributed import Client
-    from distributed.comm.addressing import get_address_host_port
-
     try:
-        get_address_host_port(address, strict=True)  # a client that fails later leaves a trace
-        return Client(address, timeout=_ANSWER_SECONDS, set_as_default=False)
+        addressing.get_address_host_port(
+            address, strict=True
+        )  # a client that fails later leaves a trace
+        return distributed.Client(address, timeout=_ANSWER_SECONDS, set_as_default=False)
     except (OSError, ValueError) as error:
         raise OptionError(f"--scheduler {address}: {error}") from None
 
 
 def _local(workers: int) -> tuple[Any, Callable[[], None]]:
-    from distributed import LocalCluster
-
-    cluster = LocalCluster(
+    cluster = distributed.LocalCluster(
         n_workers=workers,
         threads_per_worker=1,
         processes=True,

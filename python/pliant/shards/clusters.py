@@ -10,10 +10,9 @@ import numpy as np
 
 from pliant.measure.shapes.medoids import k_medoids
 from pliant.shards.over_shards import each_part, parts_of
-from pliant.shards.sums import blocks, walkers_of
-from pliant.trajectory.shards.frames import EnsembleFrames
-from pliant.trajectory.shards.inspect_shard import ShardRecord
-from pliant.trajectory.shards.open_shard import counted_files
+from pliant.shards.sums import blocks
+from pliant.trajectory.shards.ensemble import EnsembleFrames
+from pliant.trajectory.shards.inspect_shard import ShardRecord, counted_shard, walkers_of
 from pliant.trajectory.shards.plan import EnsemblePlan
 from pliant.trajectory.superposition import pairwise_rmsd, rmsd_to
 
@@ -72,11 +71,7 @@ def clusters(
     rest is read once, over `workers` processes.
     """
     numbers = np.unique(np.linspace(0, len(frames) - 1, MOST_COMPARED).astype(np.int64))
-    whole = np.empty((frames.atom_count, 3))
-    compared = np.empty((len(numbers), len(atoms), 3))
-    for place, number in enumerate(numbers):
-        frames.read_positions(int(number), whole)
-        compared[place] = whole[atoms]
+    compared = np.array([frames.positions(int(number))[atoms] for number in numbers])
     found = k_medoids(pairwise_rmsd(compared), min(most, len(numbers)))
     counts = _counts(frames, atoms, compared[found.frames], workers)
     order = np.argsort(-counts.shares.sum(axis=0), kind="stable")
@@ -86,8 +81,8 @@ def clusters(
 def _result(
     frames: EnsembleFrames, numbers: np.ndarray, counts: _Counts, order: np.ndarray, compared: int
 ) -> Clusters:
-    positions = np.empty((len(numbers), frames.atom_count, 3))
-    records = [frames.read(int(n), positions[k]) for k, n in enumerate(numbers)]
+    positions = frames.read(numbers)
+    records = [frames.numbers(int(number)) for number in numbers]
     walkers = counts.walkers.sum()
     shares = counts.shares.sum(axis=0) / walkers
     variance = np.maximum(counts.squares / walkers - shares**2, 0.0)
@@ -114,10 +109,11 @@ def _counts_of(task: _Task) -> _Counts:
     k = len(task.medoids)
     frames, sizes = np.zeros(2, dtype=np.int64), np.zeros(k, dtype=np.int64)
     counts = _Counts(frames, np.zeros((2, k)), np.zeros(k), sizes, np.zeros(k))
-    for file in counted_files(task.plan, task.paths, task.records):
-        walkers = walkers_of(file, task.plan)
+    for path, record in zip(task.paths, task.records, strict=True):
+        shard = counted_shard(task.plan, record, path)
+        walkers = walkers_of(shard, task.plan)
         every = np.ones(len(walkers), dtype=bool)
-        dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms, every)]
+        dealt = [rmsd_to(some, task.medoids) for _, some in blocks(shard, task.atoms, every)]
         counts.add(_of_shard(walkers, np.concatenate(dealt)))
     return counts
 

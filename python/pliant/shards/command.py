@@ -30,20 +30,12 @@ from pliant.shards.command_options import ensemble_parser
 from pliant.shards.drive import Outcome, complete
 from pliant.shards.folder_lock import alone_in
 from pliant.shards.make_shard import Making, check_options, make_shard
+from pliant.shards.options import Options, add_options
+from pliant.shards.plan_made import make_plan, settled, withdraw, write_plan, write_whole
 from pliant.shards.slurm_script import slurm_script
 from pliant.shards.time_limit import EXIT_AGAIN, OutOfTimeError, deadline_of
 from pliant.shards.verify import verify
-from pliant.trajectory.shards.options import Options, add_options
-from pliant.trajectory.shards.plan import (
-    PLAN,
-    EnsemblePlan,
-    load_plan,
-    make_plan,
-    settled,
-    withdraw,
-    write_plan,
-    write_whole,
-)
+from pliant.trajectory.shards.plan import PLAN, EnsemblePlan, load_plan
 
 EXIT_UNCONVERGED = 3
 

@@ -14,7 +14,8 @@ from collections.abc import Iterable
 from dataclasses import asdict
 from pathlib import Path
 
-from pliant.trajectory.shards.plan import LOG, MAKING, EnsemblePlan, Shard
+from pliant.shards.plan_made import LOG, MAKING
+from pliant.trajectory.shards.plan import EnsemblePlan, Shard
 
 
 def take_log(folder: Path, plan: EnsemblePlan, shard: Shard) -> Path:

@@ -14,6 +14,7 @@ from typing import Any
 
 from pliant._core import Error, InputError, OptionError
 from pliant.base.console import warn
+from pliant.base.extras import late
 from pliant.shards.cluster import Place
 from pliant.shards.commits import remove_logs
 from pliant.shards.make_shard import Making, make_shard
@@ -23,6 +24,8 @@ from pliant.shards.time_limit import OutOfTimeError
 from pliant.trajectory.shards.inspect_shard import ShardRecord, check_shard
 from pliant.trajectory.shards.manifest import Manifest
 from pliant.trajectory.shards.plan import NO_SHARD, EnsemblePlan, Shard, shards_there, strangers
+
+distributed = late("distributed")
 
 #: Shards that the scheduler knows of at once: it need not hold 10^5 to keep hundreds of workers.
 WINDOW = 1024
@@ -191,8 +194,6 @@ def made_by(
     retries: int,
 ) -> Iterator[ShardRecord]:
     """The records of the shards, as they come, each once. Raises as `complete`."""
-    from distributed import as_completed
-
     client, waiting = place.client, iter(shards)
     where = str(folder.absolute())
 
@@ -200,7 +201,7 @@ def made_by(
         return client.submit(task, plan, shard, where, retries=retries, pure=False)
 
     first = [submit(shard) for shard in itertools.islice(waiting, WINDOW)]
-    futures = as_completed(first, loop=client.loop)
+    futures = distributed.as_completed(first, loop=client.loop)
     while not futures.is_empty():
         if not futures.has_ready():
             place.expect_workers()

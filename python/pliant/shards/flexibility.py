@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from pliant._core import InputError
+from pliant.base.extras import late
 from pliant.measure.agreement import TEN, correlation, rmsip
 from pliant.measure.flexibility import STILL
 from pliant.measure.stages.amplitude import asked_amplitude
@@ -20,12 +21,10 @@ from pliant.measure.stages.units import single_atoms, trace_of, trace_units
 from pliant.shards.clusters import CLUSTERS, Clusters, clusters
 from pliant.shards.over_shards import each_part, parts_of
 from pliant.shards.sums import Half, Sums, Task, mean_of, sums_of
-from pliant.trajectory import hdf5 as _hdf5
-from pliant.trajectory.load import open_universe
-from pliant.trajectory.recorded_contacts import contacts_of
-from pliant.trajectory.shards.frames import EnsembleFrames
-from pliant.trajectory.shards.open_shard import open_shard
-from pliant.trajectory.shards.plan import PLAN
+from pliant.trajectory.shards.ensemble import EnsembleFrames
+from pliant.trajectory.universe import universe_of
+
+linalg = late("scipy.linalg")
 
 #: Units of which the matrix of covariances is kept: 3 x 2000 squared takes 288 MB, twice.
 MOST_FOR_MODES = 2000
@@ -75,14 +74,11 @@ def flexibility(
     Raises FileError and InputError if there is no ensemble, a shard is gone, or one walker is all.
     """
     frames = EnsembleFrames(folder)
-    frames.check_all_there()
-    all_atoms = open_universe(folder / PLAN).atoms
+    all_atoms = universe_of(frames).atoms
     units = _units(all_atoms)
     atoms = units.atoms
-    first = np.empty((frames.atom_count, 3))
-    frames.read_positions(0, first)
     on_stage("mean")
-    reference = _mean(frames, atoms, first[atoms], workers)
+    reference = _mean(frames, atoms, frames.positions(0)[atoms], workers)
     frames.are_checked = True  # by the first pass over all of them
     on_stage("fluctuations")
     sums = _sums(frames, atoms, reference, workers)
@@ -91,7 +87,7 @@ def flexibility(
         raise InputError(f"{folder}: one {what[:-1]}: errors and convergence need two")
     found = _result(units, what, sums, _contacts(frames, sums, all_atoms), all_atoms)
     found.frames = len(frames)
-    found.amplitude = _asked_amplitude(frames)
+    found.amplitude = asked_amplitude(frames.parameters)
     on_stage("clusters")
     found.clusters = clusters(frames, atoms, workers, 1 if found.still else CLUSTERS)
     return found
@@ -111,7 +107,7 @@ def _mean(frames: EnsembleFrames, atoms: np.ndarray, start: np.ndarray, workers:
         count += more
         total += part
     if count == 0:
-        raise InputError(f"{frames.folder}: no frame around the start is there yet")
+        raise InputError(f"{frames.path}: no frame around the start is there yet")
     mean: np.ndarray = total / count
     return mean
 
@@ -202,29 +198,20 @@ def _moments(half: Half) -> tuple[np.ndarray, np.ndarray]:
 
 def _principal(half: Half) -> tuple[np.ndarray, np.ndarray]:
     """The largest variances and their directions (3U, 10)."""
-    from scipy.linalg import eigh
-
     assert half.outer is not None
     c = (half.shift / half.frames).reshape(-1)
     covariance = half.outer / half.frames - np.outer(c, c)
     size = len(covariance)
     most = min(TEN, max(1, size - 6))
-    values, vectors = eigh(covariance, subset_by_index=(size - most, size - 1))
+    values, vectors = linalg.eigh(covariance, subset_by_index=(size - most, size - 1))
     return np.maximum(values[::-1], 0.0), vectors[:, ::-1]
-
-
-def _asked_amplitude(frames: EnsembleFrames) -> float | None:
-    """As the first shard says: all of them share it."""
-    with open_shard(frames.paths[0]) as file:
-        return asked_amplitude(dict(_hdf5.scalars(_hdf5.item(file, "parameters"))))
 
 
 def _contacts(frames: EnsembleFrames, sums: Sums, atoms: Any) -> list[tuple[str, str, float]]:
     if sums.held is None:
         return []
     names = atom_labels(atoms)
-    with open_shard(frames.paths[0]) as file:
-        found = contacts_of(file)
+    found = frames.first_shard.contacts
     if found is None or len(found.kinds) != len(sums.held):
         return []
     return [

@@ -14,7 +14,8 @@ from typing import TextIO
 from pliant._core import FileError
 from pliant.base.console import warn
 from pliant.base.file_lock import take_lock
-from pliant.trajectory.shards.plan import PLAN, has_begun
+from pliant.shards.plan_made import has_begun
+from pliant.trajectory.shards.plan import PLAN
 
 _MOUNTS = Path("/proc/self/mounts")
 

@@ -13,8 +13,11 @@ from typing import Any
 
 from pliant._core import InputError
 from pliant.base.console import counted, warn
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.base.input_files import open_file
+
+dask, spec = late("dask"), late("distributed.deploy.spec")
+yaml = late("yaml")
 
 #: Queues that dask-jobqueue knows, by what a cluster file calls them.
 _QUEUES = {
@@ -83,8 +86,6 @@ class Queue:
 
         Dask's usual port is taken where another ensemble is under way.
         """
-        import dask
-
         name = self._settings.get("config_name") or self._kind.job_cls.default_config_name()
         usual = dask.config.get(f"jobqueue.{name}.scheduler-options", {})
         return {"dashboard_address": ":0", **(self._settings.get("scheduler_options") or usual)}
@@ -96,8 +97,6 @@ class Queue:
 
     def _watched_job(self) -> Any:
         """dask-jobqueue's class of jobs, which keeps what the queue says instead of logging it."""
-        from distributed.deploy.spec import ProcessInterface
-
         queue, kind = self, self._kind.job_cls
 
         class Job(kind):  # type: ignore[misc, valid-type]
@@ -108,7 +107,7 @@ class Queue:
                     queue._taken.add(self)
                 except (RuntimeError, ValueError, OSError) as error:
                     queue._refusals.append(_words_of_queue(error))
-                    await ProcessInterface.start(self)  # as one that never comes
+                    await spec.ProcessInterface.start(self)  # as one that never comes
                 finally:
                     queue._submitting -= 1
 
@@ -163,8 +162,6 @@ def _expect_program(path: str, program: str) -> None:
 
 
 def _settings(path: str) -> dict[str, Any]:
-    import yaml  # which Dask needs
-
     try:
         with open(path, encoding="utf-8", opener=open_file) as file:
             found = yaml.safe_load(file)

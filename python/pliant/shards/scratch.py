@@ -23,7 +23,7 @@ from typing import BinaryIO
 from pliant._core import FileError, OptionError
 from pliant.base.file_lock import take_lock
 from pliant.base.new_file import take_name
-from pliant.trajectory.shards.plan import MAKING
+from pliant.shards.plan_made import MAKING
 
 #: What --scratch without a folder means: queues set it for each job.
 USUAL = "$TMPDIR"

@@ -7,19 +7,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import h5py
 import numpy as np
 
-from pliant._core import InputError
-from pliant.trajectory import hdf5 as _hdf5
 from pliant.trajectory.drawn_by import is_near
-from pliant.trajectory.shards.inspect_shard import POSITION, ShardRecord
-from pliant.trajectory.shards.open_shard import counted_files, positions_in
+from pliant.trajectory.h5md import FramesOfH5md
+from pliant.trajectory.recorded_contacts import HELD
+from pliant.trajectory.shards.inspect_shard import ShardRecord, counted_shard, walkers_of
 from pliant.trajectory.shards.plan import EnsemblePlan
 from pliant.trajectory.superposition import superpose_onto
 
 _BLOCK_BYTES = 16 << 20  #: of the frames that are read at once
-_HELD = 0  #: of contact states
 
 
 @dataclass
@@ -105,16 +102,17 @@ class Task:
     reference: np.ndarray  #: (U, 3) Angstrom
     has_modes: bool
 
-    def files(self) -> Iterator[h5py.File]:
-        """Each of the files while it is open. Raises as `counted_files`."""
-        return counted_files(self.plan, self.paths, self.records)
+    def shards(self) -> Iterator[FramesOfH5md]:
+        """The frames of each. Raises as `counted_shard`."""
+        for path, record in zip(self.paths, self.records, strict=True):
+            yield counted_shard(self.plan, record, path)
 
 
 def mean_of(task: Task) -> tuple[int, np.ndarray]:
     """Frames around the start, and the sum of their superposed positions (U, 3)."""
     count, total = 0, np.zeros_like(task.reference)
-    for file in task.files():
-        for _, frames in blocks(file, task.atoms, around_start(file, task.plan)):
+    for shard in task.shards():
+        for _, frames in blocks(shard, task.atoms, around_start(shard, task.plan)):
             count += len(frames)
             total += superpose_onto(frames, slice(None), task.reference).sum(axis=0)
     return count, total
@@ -124,18 +122,18 @@ def sums_of(task: Task) -> Sums:
     """All sums, of frames around the start, superposed on the reference."""
     halves = [Half(len(task.atoms), task.has_modes) for _ in range(2)]
     sums = Sums((halves[0], halves[1]))
-    for file in task.files():
-        _add_shard(sums, file, task)
+    for shard in task.shards():
+        _add_shard(sums, shard, task)
     return sums
 
 
-def _add_shard(sums: Sums, file: h5py.File, task: Task) -> None:
-    near = around_start(file, task.plan)
-    walkers = walkers_of(file, task.plan)[near]
+def _add_shard(sums: Sums, shard: FramesOfH5md, task: Task) -> None:
+    near = around_start(shard, task.plan)
+    walkers = walkers_of(shard, task.plan)[near]
     numbers, place = np.unique(walkers, return_inverse=True)
     counts = np.bincount(place)[:, None]
     a, b = np.zeros((len(numbers), len(task.atoms))), np.zeros((len(numbers), len(task.atoms), 3))
-    for rows, frames in blocks(file, task.atoms, near):
+    for rows, frames in blocks(shard, task.atoms, near):
         d = superpose_onto(frames, slice(None), task.reference) - task.reference
         np.add.at(a, place[rows], (d**2).sum(axis=2))
         np.add.at(b, place[rows], d)
@@ -144,48 +142,38 @@ def _add_shard(sums: Sums, file: h5py.File, task: Task) -> None:
     for k, half in enumerate(sums.halves):
         chosen = numbers % 2 == k
         half.add_walkers((a / counts)[chosen], (b / counts[:, :, None])[chosen])
-    sums.count(*_counted(file))
+    sums.count(*_counted(shard))
 
 
-def _counted(file: h5py.File) -> tuple[np.ndarray | None, float]:
-    residuals = _hdf5.item(file, "observables/max_residual/value")
-    worst = float(np.max(_hdf5.read(residuals))) if _hdf5.has_rows(residuals) else 0.0
-    states = _hdf5.item(file, "connectivity/contact_states/value")
-    if not _hdf5.is_array(states, "iu", (None, None)):
+def _counted(shard: FramesOfH5md) -> tuple[np.ndarray | None, float]:
+    worst = float(np.max(shard.observables.get("max_residual", np.zeros(1)), initial=0.0))
+    contacts = shard.contacts
+    if contacts is None or contacts.states is None:
         return None, worst
-    return np.count_nonzero(_hdf5.read(states) == _HELD, axis=0), worst
+    return np.count_nonzero(contacts.states == HELD, axis=0), worst
 
 
-def walkers_of(file: h5py.File, plan: EnsemblePlan) -> np.ndarray:
-    """(F,) whose frames they are; each frame of a sample is its own walker."""
-    path = f"{POSITION}/step" if plan.command == "sample" else "observables/walker/value"
-    found = _hdf5.item(file, path)
-    if not _hdf5.is_array(found, "iu", (None,)):
-        raise InputError(f"{file.filename}: /{path}: expected whole numbers")
-    return np.asarray(_hdf5.read(found), dtype=np.int64)
-
-
-def around_start(file: h5py.File, plan: EnsemblePlan) -> np.ndarray:
+def around_start(shard: FramesOfH5md, plan: EnsemblePlan) -> np.ndarray:
     """(F,) bool: frames by which flexibility is computed. Those that go further are not.
 
     Of another sampler all are, and of runs.
     """
-    found = _hdf5.item(file, "observables/sampler/value")
-    if not plan.may_reach or not _hdf5.is_array(found, "u", (None,)):
-        return np.ones(len(positions_in(file)), dtype=bool)
-    return is_near(_hdf5.read(found))
+    drawn_by = shard.observables.get("sampler")
+    if not plan.may_reach or drawn_by is None:
+        return np.ones(len(shard), dtype=bool)
+    return is_near(drawn_by)
 
 
 def blocks(
-    file: h5py.File, atoms: np.ndarray, chosen: np.ndarray
+    shard: FramesOfH5md, atoms: np.ndarray, chosen: np.ndarray
 ) -> Iterator[tuple[slice, np.ndarray]]:
     """Positions (F, U, 3) of chosen frames, some megabytes at a time, and which these are."""
-    found, done = positions_in(file), 0
-    step = max(1, _BLOCK_BYTES // (24 * max(1, found.shape[1])))
-    for begin in range(0, len(found), step):
-        rows = slice(begin, min(begin + step, len(found)))
-        if not chosen[rows].any():
+    done, step = 0, max(1, _BLOCK_BYTES // (24 * max(1, shard.atom_count)))
+    for begin in range(0, len(shard), step):
+        rows = np.arange(begin, min(begin + step, len(shard)))
+        rows = rows[chosen[rows]]
+        if len(rows) == 0:
             continue
-        some = _hdf5.read(found, rows)[chosen[rows]][:, atoms].astype(np.float64)
+        some = shard.read(rows)[:, atoms]
         yield slice(done, done + len(some)), some
         done += len(some)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Some frames of many, spread evenly."""
+"""Some frames of many: spread evenly, and what is read of them at once."""
 
 from __future__ import annotations
 
@@ -15,3 +15,8 @@ def choose_frames(count: int, wanted: int | str, always: int | None = None) -> n
         # In place of its nearest neighbour, so that the number stays what was asked for.
         chosen[np.argmin(np.abs(chosen - always))] = always
     return np.unique(chosen)
+
+
+def runs_of(frames: np.ndarray) -> list[np.ndarray]:
+    """Numbers of frames, divided where one does not follow the one before."""
+    return np.split(frames, np.flatnonzero(np.diff(frames) != 1) + 1) if len(frames) else []

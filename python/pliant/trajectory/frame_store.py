@@ -13,6 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant._core import FileError
+from pliant.trajectory.chosen_frames import runs_of
+from pliant.trajectory.frames import Frames, Positions
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -94,8 +96,7 @@ class FrameStore:
         if self.array is not None:
             found: np.ndarray = self.array[frames]
         else:
-            runs = np.split(frames, np.flatnonzero(np.diff(frames) != 1) + 1)
-            parts = [self._read(run) for run in runs]
+            parts = [self._read(run) for run in runs_of(frames)]
             found = parts[0] if len(parts) == 1 else np.concatenate(parts)
         return found if self._atoms is None else np.asarray(found[:, self._atoms])
 
@@ -142,6 +143,29 @@ class FrameStore:
                 f"{tempfile.gettempdir()}: no room for {size} bytes of positions: "
                 f"{error.strerror} (TMPDIR names another folder)"
             ) from error
+
+
+class FramesHeld(Frames):
+    """The frames of a store, and their boxes (F, 6), if they have any: of MDAnalysis, say."""
+
+    def __init__(self, store: FrameStore, boxes: npt.NDArray[np.float32] | None = None) -> None:
+        self._store, self._boxes = store, boxes
+
+    def __len__(self) -> int:
+        return len(self._store)
+
+    @property
+    def atom_count(self) -> int:
+        """Those of each frame."""
+        return self._store.shape[1]
+
+    def read(self, frames: np.ndarray) -> Positions:
+        """(f, N, 3) Angstrom."""
+        return self._store.take(frames)
+
+    def box(self, frame: int) -> npt.NDArray[np.float32] | None:
+        """(6,) as it was; None where there is none."""
+        return None if self._boxes is None else self._boxes[frame]
 
 
 def _nameless_file() -> Any:

@@ -1,45 +1,216 @@
 # SPDX-License-Identifier: MIT
-"""Where frames are: in memory, or in a file from which each is read when it is asked for."""
+"""The frames of one molecule, wherever they are, and what is known of how they were made."""
 
 from __future__ import annotations
 
-import os
-from functools import cached_property
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from pliant import _core
 from pliant._core import InputError, Structure
-from pliant.base.extras import needed_by
-from pliant.base.input_files import expect_file
-from pliant.trajectory.sources import H5MD, kind_of, later, structure_of
+from pliant.trajectory.drawn_by import around_start
+from pliant.trajectory.kind import kind_of
+
+if TYPE_CHECKING:
+    from pliant.trajectory.recorded_contacts import RecordedContacts
 
 Positions = npt.NDArray[np.float64]
 
 
-class Frames(Protocol):
-    """The frames of one molecule."""
+@dataclass(frozen=True)
+class Moment:
+    """A frame, and when it was."""
+
+    positions: Positions  #: (N, 3) Angstrom
+    step: int
+    time: float  #: ps
+    walker: int | None = None  #: of an ensemble
+    box: npt.NDArray[np.float32] | None = None
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """When a bar is whole."""
+
+    relative: float = 1e-6  #: largest |length - rest| / rest; used if `length` is 0
+    length: float = 0.0  #: largest |length - rest|, Angstrom
+
+    def of(self, rest_lengths: np.ndarray) -> np.ndarray:
+        """Largest |length - rest| / rest accepted of each bar."""
+        if self.length > 0:
+            return self.length / rest_lengths
+        return np.full(len(rest_lengths), self.relative)
+
+
+class Frames:
+    """F frames of N atoms. What files of ours alone tell is empty of all others."""
+
+    path: Path | None = None  #: of the file or folder
+    is_single = False  #: positions are known as 32-bit floats
+    rounded_to = 0.0  #: coordinates are multiples of this, Angstrom; 0: as they were
+    joints_of_whole = 0  #: atoms of the molecule, of which these are some; 0: all
+    frames_left_out = 0  #: frames at the end that lack positions, step or time
+
+    @property
+    def parameters(self) -> Mapping[str, Any]:
+        """Options of the job that made them, and what it noted: "run/technique" -> its value."""
+        return MappingProxyType({})
+
+    @property
+    def bars(self) -> np.ndarray:
+        """(B, 2) joints, from 0."""
+        return np.empty((0, 2), np.int64)
+
+    @property
+    def rest_lengths(self) -> np.ndarray:
+        """(B,) Angstrom."""
+        return np.empty(0)
+
+    @property
+    def contacts(self) -> RecordedContacts | None:
+        """Which a model held, and in which frames."""
+        return None
+
+    @property
+    def has_names(self) -> bool:
+        """Whether its atoms have any."""
+        return True
 
     @property
     def structure(self) -> Structure:
         """Atoms and bonds, at the first frame."""
+        raise NotImplementedError
 
-    def __len__(self) -> int: ...
+    def __len__(self) -> int:
+        raise NotImplementedError
 
     def positions(self, frame: int) -> Positions:
-        """(N, 3) Angstrom."""
+        """(N, 3) Angstrom. Raises InputError where a file has no finite ones."""
+        raise NotImplementedError
+
+    @property
+    def name(self) -> str:
+        """What messages call it."""
+        return str(self.path or self.structure.source or "frames")
+
+    @property
+    def atom_count(self) -> int:
+        """N."""
+        return len(self.structure)
+
+    @property
+    def masses(self) -> np.ndarray:
+        """(N,) u."""
+        return np.asarray(self.structure.masses)
+
+    def read(self, frames: np.ndarray) -> Positions:
+        """(f, N, 3) Angstrom, of ascending frames; those of a damaged one may not be finite."""
+        found = [self.positions(int(frame)) for frame in frames]
+        return np.array(found, dtype=np.float64).reshape(-1, self.atom_count, 3)
 
     def step(self, frame: int) -> int:
-        """Number of the step or frame where it was made."""
+        """The step or number of a frame where it was made."""
+        return frame
 
     def time(self, frame: int) -> float:
         """In ps; the number of the frame where no time is known."""
+        return float(frame)
+
+    def walker(self, frame: int) -> int | None:
+        """Of a frame of an ensemble; None where there are no walkers."""
+        return None
+
+    @property
+    def has_steps(self) -> bool:
+        """Whether a step is more than the number of a frame."""
+        return False
+
+    def box(self, frame: int) -> npt.NDArray[np.float32] | None:
+        """(6,) edges and angles, as MDAnalysis has them; None where there is none."""
+        return None
+
+    def numbers(self, frame: int) -> dict[str, float | int]:
+        """Step, time and observables of a frame, as far as a file tells them."""
+        return {}
+
+    def close(self) -> None:
+        """Closes files that reading opens again."""
+
+    @property
+    def time_between(self) -> float:
+        """Between frames, ps."""
+        return 1.0
+
+    def moment(self, frame: int) -> Moment:
+        """All of a frame; its positions may not be finite."""
+        when = self.step(frame), self.time(frame), self.walker(frame)
+        return Moment(self.read(np.array([frame]))[0], *when, self.box(frame))
+
+    @property
+    def observables(self) -> Mapping[str, np.ndarray]:
+        """One number a frame, (F,), of each name."""
+        return MappingProxyType({})
+
+    @property
+    def converged(self) -> np.ndarray:
+        """(F,) bool: what the file says of each frame; true where it does not say."""
+        flags = self.observables.get("converged")
+        return np.ones(len(self), bool) if flags is None else flags.astype(bool)
+
+    @property
+    def kind(self) -> str:
+        """What the frames are: a row of `pliant.trajectory.kind`."""
+        return kind_of(self.parameters)
+
+    @property
+    def around_start(self) -> np.ndarray:
+        """Numbers of the frames by which flexibility is computed, ascending.
+
+        All, but for an ensemble of sampler ``reach``: those drawn along the modes.
+        """
+        near = around_start(self.observables.get("sampler"))
+        return np.arange(len(self)) if near is None else np.flatnonzero(near)
+
+    @property
+    def tolerance(self) -> Tolerance:
+        """That of the run; 1e-6 where none is known. Raises InputError if it is no number."""
+        usual = Tolerance()
+        return Tolerance(
+            self._positive("run/tolerance", usual.relative, math.ulp(0.0)),
+            self._positive("run/tolerance_length", usual.length, 0.0),
+        )
+
+    def _positive(self, option: str, usual: float, least: float) -> float:
+        value = self.parameters.get(option, usual)
+        if isinstance(value, (int, float)) and math.isfinite(value) and value >= least:
+            return float(value)
+        wanted = "a number above 0" if least > 0 else "a number from 0"
+        raise InputError(f"{self.name}: /parameters/{option}: expected {wanted}, found {value}")
+
+    def bar_label(self, bar: int) -> str:
+        """ "C1(0) - C2(1)": names and numbers (from 0) of both joints."""
+        names = self.structure.names
+        a, b = (f"{names[j]}({j})" if self.has_names else f"joint {j}" for j in self.bars[bar])
+        return f"{a} - {b}"
+
+    def rounding(self, positions: np.ndarray) -> float:
+        """How much the storing of coordinates may change a length, Angstrom.
+
+        Each coordinate is off by half a unit in the last place, at both ends, along three axes.
+        """
+        half_unit = 2.0**-24 if self.is_single else 2.0**-53
+        off = max(half_unit * float(np.abs(positions).max(initial=0.0)), self.rounded_to / 2)
+        return 2.0 * math.sqrt(3.0) * off
 
 
-class FramesInMemory:
+class FramesInMemory(Frames):
     """(F, N, 3) Angstrom."""
 
     def __init__(self, structure: Structure, positions: npt.ArrayLike) -> None:
@@ -50,8 +221,13 @@ class FramesInMemory:
                 f"positions: expected shape (N, 3) or (F, N, 3), found {np.shape(positions)}"
             )
         check_atoms(structure, values.shape[1])
-        self.structure = structure
+        self._structure = structure
         self.values: Positions = values
+
+    @property
+    def structure(self) -> Structure:
+        """Atoms and bonds."""
+        return self._structure
 
     def __len__(self) -> int:
         return len(self.values)
@@ -61,127 +237,29 @@ class FramesInMemory:
         found: Positions = self.values[frame]
         return found
 
-    def step(self, frame: int) -> int:
-        """The number of the frame."""
-        return frame
 
-    def time(self, frame: int) -> float:
-        """The number of the frame."""
-        return float(frame)
-
-
-class FramesOfH5md:
-    """Those of an H5MD file, or of the shards of an ensemble."""
-
-    def __init__(self, path: str | os.PathLike[str], reader: Any = None) -> None:
-        self.path = Path(path)
-        self._reader: Any = _core.H5mdReader(path) if reader is None else reader
-        if len(self._reader) == 0:
-            raise InputError(f"{os.fspath(path)}: holds no frame")
-
-    @cached_property
-    def structure(self) -> Structure:
-        """The atoms that were recorded; nameless ones of files that have no names."""
-        return structure_recorded(self._reader)
-
-    def __len__(self) -> int:
-        return len(self._reader)
-
-    def positions(self, frame: int) -> Positions:
-        """(N, 3) Angstrom."""
-        return np.asarray(self._reader.positions(frame))
-
-    def step(self, frame: int) -> int:
-        """The step that was recorded."""
-        return int(self._reader.step(frame))
-
-    def time(self, frame: int) -> float:
-        """In ps; the number of the frame where the file has none."""
-        return time_recorded(self._reader, frame)
-
-    def walker(self, frame: int) -> int | None:
-        """Of a frame of an ensemble; None where there are no walkers."""
-        known = getattr(self._reader, "walker", None)
-        return known(frame) if known else None
-
-
-class FramesOfModels:
+class FramesOfModels(Frames):
     """The models of a structure file, or its one structure."""
 
-    def __init__(self, path: str | os.PathLike[str]) -> None:
-        self.path = Path(path)
-        self.structure = _core.read(path)
+    def __init__(self, path: Path) -> None:
+        self._path = self.path = path
+        self._structure = _core.read(path)
+
+    @property
+    def structure(self) -> Structure:
+        """The first model."""
+        return self._structure
 
     def __len__(self) -> int:
-        return self.structure.model_count
+        return self._structure.model_count
 
     def positions(self, frame: int) -> Positions:
         """(N, 3) Angstrom."""
         if frame == 0:
-            return np.array(self.structure.positions)
-        read = _core.read(self.path, frame + 1, perceive_bonds=False)
-        check_atoms(self.structure, len(read), f"model {frame + 1} of {self.path}")
+            return np.array(self._structure.positions)
+        read = _core.read(self._path, frame + 1, perceive_bonds=False)
+        check_atoms(self._structure, len(read), f"model {frame + 1} of {self.path}")
         return np.array(read.positions)
-
-    def step(self, frame: int) -> int:
-        """The number of the frame."""
-        return frame
-
-    def time(self, frame: int) -> float:
-        """The number of the frame."""
-        return float(frame)
-
-
-class FramesOfUniverse:
-    """Those of a Universe or AtomGroup of MDAnalysis, whose current frame stays what it was."""
-
-    def __init__(self, atoms: Any) -> None:
-        self._atoms = atoms.atoms
-        self.structure: Structure = later("pliant.adapters", "from_mdanalysis")(self._atoms)
-
-    def __len__(self) -> int:
-        return len(self._atoms.universe.trajectory)
-
-    def _at(self, frame: int) -> Any:
-        trajectory = self._atoms.universe.trajectory
-        before = trajectory.frame
-        shown = trajectory[frame]
-        positions = self._atoms.positions.astype(np.float64)[self.structure.source_order]
-        found = positions, shown.frame, float(shown.time)
-        trajectory[before]
-        return found
-
-    def positions(self, frame: int) -> Positions:
-        """(N, 3) Angstrom."""
-        found: Positions = self._at(frame)[0]
-        return found
-
-    def step(self, frame: int) -> int:
-        """The number of the frame."""
-        return int(self._at(frame)[1])
-
-    def time(self, frame: int) -> float:
-        """In ps."""
-        return float(self._at(frame)[2])
-
-
-def structure_recorded(reader: Any) -> Structure:
-    """The atoms of a reader; nameless ones of files that have no names."""
-    try:
-        structure: Structure = reader.structure(0)
-    except InputError as error:
-        if "no atom table" not in str(error):
-            raise
-        return Structure(reader.positions(0))
-    return structure
-
-
-def time_recorded(reader: Any, frame: int) -> float:
-    """In ps; the number of the frame where the file has no time."""
-    try:
-        return float(reader.time(frame))
-    except InputError:
-        return float(frame)
 
 
 def check_atoms(structure: Structure, found: int, what: str = "positions") -> None:
@@ -194,38 +272,3 @@ def check_atoms(structure: Structure, found: int, what: str = "positions") -> No
         "of the prepared molecule, with hydrogens added and waters left out: "
         'ensemble.to_mdanalysis(), or the file "x-topology.pdb" beside them'
     )
-
-
-def frames_of(source: Any, topology: Any = None) -> Frames:
-    """The frames of anything that has some; a path is opened, and read frame by frame.
-
-    `topology`: a Structure, or what `structure_of` takes, of a file without atoms.
-    """
-    if isinstance(source, (str, os.PathLike)):
-        return _of_path(Path(source), topology)
-    if hasattr(source, "universe") and hasattr(source, "atoms"):
-        return FramesOfUniverse(source)
-    kind = kind_of(source)
-    structure = kind.structure(source)
-    return FramesInMemory(structure, kind.frames(source, structure))
-
-
-def _of_path(path: Path, topology: Any) -> Frames:
-    from pliant.trajectory.shards.plan import is_ensemble
-
-    if is_ensemble(path):
-        from pliant.trajectory.shards.shards_reader import ShardsReader
-
-        return FramesOfH5md(path, ShardsReader(path))
-    if path.suffix.lower() in H5MD:
-        frames = FramesOfH5md(path)
-        if topology is not None:
-            check_atoms(structure_of(topology), len(frames.structure), str(path))
-        return frames
-    if topology is None:
-        return FramesOfModels(path)
-    with needed_by("pliant.Trajectory"):
-        import MDAnalysis
-    for file in (topology, path):
-        expect_file(file)
-    return FramesOfUniverse(MDAnalysis.Universe(os.fspath(topology), str(path)))

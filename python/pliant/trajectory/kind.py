@@ -4,10 +4,8 @@ something of others."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from pliant.trajectory.record import RunRecord
+from collections.abc import Mapping
+from typing import Any
 
 ENSEMBLE = "ensemble"  #: `pliant sample`: frames are independent
 PATH = "path"  #: `pliant run`: each frame is the one before, pushed
@@ -41,9 +39,8 @@ MEANING = {
 }
 
 
-def kind_of(record: RunRecord | None) -> str:
+def kind_of(parameters: Mapping[str, Any]) -> str:
     """ENSEMBLE, PATH, TRANSITION or TRAJECTORY, by the parameters that the file holds."""
-    parameters = record.parameters if record else {}
     if "path/end" in parameters:
         return TRANSITION
     if "sample/sampler" in parameters:

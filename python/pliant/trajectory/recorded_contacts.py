@@ -6,10 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import h5py
 import numpy as np
 
-from pliant.trajectory import hdf5 as _hdf5
+from pliant._core import InputError
 
 HELD, BROKEN, OFF = 0, 1, 2
 #: a limit of no group stands for a contact of its own
@@ -35,33 +34,28 @@ class RecordedContacts:
         return np.stack([(rows == state).mean(axis=0) for state in (HELD, BROKEN, OFF)], axis=1)
 
 
-def contacts_of(file: h5py.File) -> RecordedContacts | None:
-    """What an open file tells; None where it has no limits, or not in the shape it should have."""
-    limits = _hdf5.item(file, "connectivity/limits")
-    columns: list[Any] = [
-        _hdf5.item(file, f"parameters/limit/{name}") for name in ("group", "kind", "energy")
-    ]
-    if not _hdf5.is_array(limits, "iu", (None, 2)):
+def contacts_of(reader: Any, path: str) -> RecordedContacts | None:
+    """What a reader of H5MD tells; None where the file has no limits.
+
+    Raises InputError where states are not those of these contacts.
+    """
+    limits, states = reader.limits(), reader.contact_states()
+    if len(limits) == 0:
         return None
-    if not all(_hdf5.is_array(one, "iuf", limits.shape[:1]) for one in columns):
-        return None
-    names = h5py.check_enum_dtype(columns[1].dtype) or {}
-    groups, kinds, energies = (_hdf5.read(one) for one in columns)
-    first = _first_of_each(groups)
-    name_of = {number: name for name, number in names.items()}
-    found = RecordedContacts(
-        joints=_hdf5.read(limits).astype(np.int64)[first],
-        kinds=[name_of.get(int(kind), "") for kind in kinds[first]],
-        energies=energies[first].astype(np.float64) / KJ_PER_KCAL,
+    limits = limits[_first_of_each(limits["group"])]
+    if len(states) % len(limits):
+        wanted = f"states of {len(limits)} contacts in each frame"
+        raise InputError(f"{path}: /connectivity/contact_states: expected {wanted}")
+    return RecordedContacts(
+        joints=np.stack([limits["a"], limits["b"]], axis=1).astype(np.int64),
+        kinds=limits["kind"].tolist(),
+        energies=limits["energy"] / KJ_PER_KCAL,
+        states=states.reshape(-1, len(limits)) if len(states) else None,
     )
-    states = _hdf5.item(file, "connectivity/contact_states/value")
-    if _hdf5.is_array(states, "iu", (None, len(first))):
-        found.states = _hdf5.read(states).astype(np.uint8)
-    return found
 
 
 def _first_of_each(groups: np.ndarray) -> np.ndarray:
     """Place of the first limit of each contact."""
     own = np.flatnonzero(groups == NO_GROUP)
-    firsts = np.unique(groups, return_index=True)[1] if len(groups) else own
+    firsts = np.unique(groups, return_index=True)[1]
     return np.union1d(firsts[groups[firsts] != NO_GROUP], own)

@@ -11,8 +11,7 @@ import numpy as np
 
 from pliant import _core
 from pliant._core import InputError, Structure
-from pliant.base.output_names import is_pdb_name
-from pliant.trajectory.frames import FramesInMemory, FramesOfH5md, FramesOfModels
+from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.trajectory import HasFrames, Trajectory
 
 #: Frames of a run that has no output are kept in memory up to this.
@@ -50,7 +49,7 @@ class SampleResult(HasFrames, _core.SampleSummary):
     @property
     def trajectory(self) -> Trajectory:
         """The frames, read when they are asked for."""
-        return Trajectory._of(FramesOfH5md(self.output))
+        return Trajectory(self.output)
 
     @property
     def positions(self) -> np.ndarray:
@@ -89,8 +88,7 @@ class RunResult(HasFrames, _core.RunSummary):
                 f"run: {self.frames} frames take more than {MOST_KEPT >> 20} MB and were not kept: "
                 'pliant.run(..., output="run.h5md") writes them into a file'
             )
-        kind = FramesOfModels if is_pdb_name(self.output) else FramesOfH5md
-        return Trajectory._of(kind(self.output))
+        return Trajectory(self.output)
 
     @property
     def structure(self) -> Structure:

@@ -14,7 +14,10 @@ from typing import Any, NamedTuple, Protocol, TypeAlias, Union
 
 from pliant import _core
 from pliant._core import FileError, OptionError, Structure
-from pliant.base.refusals import shown
+from pliant.base.extras import late
+from pliant.base.refusals import EXPLAINED, shown
+
+difflib = late("difflib")
 
 H5MD = (".h5md", ".h5", ".hdf5")
 
@@ -102,7 +105,8 @@ def _first(given: Any, structure: Structure) -> Any:
 def _read(path: str | os.PathLike[str], **options: Any) -> Structure:
     """The structure in a file, or the first of a trajectory of ours."""
     if Path(path).suffix.lower() in H5MD:
-        return _core.H5mdReader(path).structure(0)
+        found: Structure = later("pliant.trajectory.opened", "one_file")(path).structure
+        return found
     try:
         return _core.read(path, **options)
     except FileError as error:
@@ -113,8 +117,6 @@ def _read(path: str | os.PathLike[str], **options: Any) -> Structure:
 
 def _near(path: Path) -> str:
     """What a name that there is not may have been meant for, or where it was looked for."""
-    import difflib
-
     there = os.listdir(path.parent) if path.parent.is_dir() else []
     for like in difflib.get_close_matches(path.name, there, 1, 0.8):
         return f'(did you mean "{(path.parent / like).as_posix()}"?)'
@@ -173,6 +175,9 @@ def kind_of(given: object) -> Kind:
     known = f"{', '.join(first)} or {last}"
     found = "None, which RDKit gives for what it cannot read" if given is None else shown(given)
     raise TypeError(f"molecule = {found}: must be {known}")
+
+
+EXPLAINED["Molecule"] = kind_of
 
 
 def structure_of(given: Any) -> Structure:

@@ -15,7 +15,8 @@ import numpy.typing as npt
 
 from pliant._core import OptionError, Structure
 from pliant.base.display import Displayed, Facts
-from pliant.trajectory.frames import Frames, FramesInMemory, Positions, frames_of
+from pliant.trajectory.frames import Frames, FramesInMemory, Positions
+from pliant.trajectory.opened import frames_of
 from pliant.trajectory.sources import Molecule, later, structure_of
 
 if TYPE_CHECKING:
@@ -204,8 +205,7 @@ class Trajectory(HasFrames, Displayed):
     @property
     def path(self) -> Path | None:
         """The file that the frames are in, if they are all of it."""
-        is_whole = len(self._chosen) == len(self._frames)
-        return getattr(self._frames, "path", None) if is_whole else None
+        return self._frames.path if len(self._chosen) == len(self._frames) else None
 
     def __len__(self) -> int:
         return len(self._chosen)
@@ -239,8 +239,7 @@ class Trajectory(HasFrames, Displayed):
         return self._frames.time(self._number(frame))
 
     def _walker(self, frame: int) -> int | None:
-        known = getattr(self._frames, "walker", None)
-        return known(self._number(frame)) if known else None
+        return self._frames.walker(self._number(frame))
 
     def facts(self) -> Facts:
         """How many frames, of what."""

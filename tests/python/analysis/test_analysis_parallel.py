@@ -6,7 +6,6 @@ import numpy as np
 import pliant.mdanalysis  # noqa: F401
 import pytest
 from MDAnalysis.analysis.base import AnalysisBase
-from pliant.measure.frame_index import FrameIndex
 from pliant.measure.frames import HAS_BACKENDS
 
 from pliant import measure as analysis
@@ -29,7 +28,6 @@ MADE = {
         u.atoms, bonds=[(0, 1), (1, 2), (2, 3), (3, 4)]
     ),
     "PrincipalComponents": lambda u: analysis.PrincipalComponents(u.atoms),
-    "FrameIndex": lambda u: FrameIndex(u.atoms),
 }
 
 
@@ -40,7 +38,7 @@ def test_every_analysis_is_tried_here():
         if isinstance(getattr(analysis, name), type)
         and issubclass(getattr(analysis, name), AnalysisBase)
     }
-    assert classes | {"FrameIndex"} == set(MADE)
+    assert classes == set(MADE)
 
 
 @pytest.mark.long

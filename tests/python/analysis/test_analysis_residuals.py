@@ -5,7 +5,7 @@ import numpy as np
 import pliant.mdanalysis  # noqa: F401
 import pytest
 from pliant.measure import BarResiduals, bar_residuals
-from pliant.trajectory.record import read_record
+from pliant.trajectory.opened import one_file
 
 
 @pytest.fixture
@@ -97,20 +97,10 @@ def test_bars_that_make_no_sense_are_refused(run, bars, lengths, message):
         BarResiduals(MDAnalysis.Universe(run), bars, lengths)
 
 
-def test_the_record_of_a_run(run):
-    record = read_record(run)
-    assert record.creator == "pliant"
-    assert record.parameters["run/technique"] == "bfs_cycle"
-    assert record.complete_frames == 20
-    assert list(np.flatnonzero(~record.converged)) == [7]
-    assert record.bars.shape == (4, 2)
-    assert set(record.observables) >= {"sweeps", "max_residual", "stop"}
-
-
-def test_a_file_that_is_not_h5md_has_no_record(tmp_path):
-    text = tmp_path / "text.h5md"
-    text.write_text("no HDF5 in here")
-    assert read_record(text) is None
-    with h5py.File(tmp_path / "other.h5", "w") as file:
-        file["numbers"] = [1, 2, 3]
-    assert read_record(tmp_path / "other.h5") is None
+def test_what_is_known_of_a_run(run):
+    frames = one_file(run)
+    assert frames.parameters["run/technique"] == "bfs_cycle"
+    assert len(frames) == 20
+    assert list(np.flatnonzero(~frames.converged)) == [7]
+    assert frames.bars.shape == (4, 2)
+    assert set(frames.observables) >= {"sweeps", "max_residual", "stop"}

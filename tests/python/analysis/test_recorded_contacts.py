@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from pliant.trajectory.record import read_record
+from pliant.trajectory.opened import one_file
 from pliant.trajectory.recover.recover import recover
 
 import pliant
@@ -34,7 +34,7 @@ def diluted(tmp_path_factory):
 
 
 def test_each_is_on_as_often_as_its_energy_says(diluted):
-    contacts = read_record(diluted).contacts
+    contacts = one_file(diluted).contacts
     assert contacts.states.shape == (FRAMES, len(contacts.kinds))
     shares = contacts.shares(np.arange(FRAMES))
     assert (shares[:, 1] == 0).all()
@@ -50,7 +50,7 @@ def test_the_report_has_a_row_for_each(diluted, tmp_path):
     analyse(diluted, folder, start=100)
     with open(folder / "held_contacts.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    contacts = read_record(diluted).contacts
+    contacts = one_file(diluted).contacts
     assert [row["kind"] for row in rows] == contacts.kinds
     share = (contacts.states[100:] == 2).mean(axis=0)
     np.testing.assert_allclose([float(row["share_off"]) for row in rows], share)
@@ -73,7 +73,7 @@ def test_energies_are_those_of_the_model_in_kcal(diluted, tmp_path):
 
 def test_they_are_saved_from_a_broken_file(diluted, tmp_path):
     recover(diluted, tmp_path / "saved.h5md")
-    saved, before = read_record(tmp_path / "saved.h5md").contacts, read_record(diluted).contacts
+    saved, before = one_file(tmp_path / "saved.h5md").contacts, one_file(diluted).contacts
     assert np.array_equal(saved.states, before.states)
     assert saved.kinds == before.kinds
 
@@ -84,7 +84,7 @@ def test_a_file_without_them_says_so(diluted, tmp_path):
     old.write_bytes(diluted.read_bytes())
     with h5py.File(old, "a") as file:
         del file["connectivity/contact_states"]
-    contacts = read_record(old).contacts
+    contacts = one_file(old).contacts
     assert contacts.states is None
     with pytest.raises(ValueError, match="does not say which contact is held"):
         contacts.shares(np.arange(3))
@@ -94,4 +94,4 @@ def test_a_file_without_them_says_so(diluted, tmp_path):
 def test_a_run_of_bars_has_none(tmp_path):
     water = pliant.read_text("3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n", "water.xyz")
     pliant.run(water, output=tmp_path / "w.h5md", steps=3)
-    assert read_record(tmp_path / "w.h5md").contacts is None
+    assert one_file(tmp_path / "w.h5md").contacts is None

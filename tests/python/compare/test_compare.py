@@ -203,7 +203,7 @@ def test_a_broken_trajectory_is_one_line(ours, tmp_path, capsys):
     assert main([ours, str(path)]) == 1
     lines = capsys.readouterr().err.splitlines()
     assert len(lines) == 1
-    assert lines[0].startswith(f"pliant compare: error: {path}: MDAnalysis cannot read this: ")
+    assert lines[0].startswith(f"pliant compare: error: {path}: MDAnalysis cannot read it: ")
 
 
 def test_bars_do_not_vary_in_ours_and_do_in_theirs(made, ours, tmp_path):

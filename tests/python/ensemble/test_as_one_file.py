@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
 from pliant.report.representatives import representatives
-from pliant.trajectory.recording import read_recording
+from pliant.trajectory.opened import one_file
 
 import pliant
 from pliant import convert
@@ -49,5 +49,5 @@ def test_frames_of_a_sample_are_independent_draws(tmp_path, there):
 @pytest.mark.parametrize("name", ["", "ensemble.pliant"])
 def test_what_wants_one_file_says_what_to_give(ensemble, tmp_path, name):
     with pytest.raises(pliant.InputError, match="is an ensemble: give one of its shards") as caught:
-        read_recording(ensemble / name)  # of pliant check, and of OURS of pliant compare
+        one_file(ensemble / name)  # of pliant check, and of OURS of pliant compare
     assert str(ensemble / "shards") in str(caught.value)

@@ -13,10 +13,9 @@ import MDAnalysis
 import pliant.mdanalysis
 import pytest
 from ensembles import PEPTIDE, call, made, same_files, shards_of
-from pliant.trajectory.shards import open_shard
-from pliant.trajectory.shards.frames import EnsembleFrames
+from pliant.trajectory.opened import frames_of
+from pliant.trajectory.shards import inspect_shard
 from pliant.trajectory.shards.inspect_shard import check_shard
-from pliant.trajectory.shards.shards_reader import ShardsReader
 
 WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
 AGAIN = "the same pliant ensemble command makes it again"
@@ -82,7 +81,7 @@ def test_mdanalysis_gets_no_frame_of_it(copy, damage):
         universe.trajectory[20]
     assert universe.trajectory[40].data["walker"] == 8
     with pytest.raises(pliant.InputError, match=re.escape(path.name)):
-        ShardsReader(copy).positions(20)
+        frames_of(copy).positions(20)
 
 
 @DAMAGE
@@ -175,7 +174,7 @@ def test_a_line_of_the_manifest_that_cannot_be(copy, change, message):
     first = min(lines, key=lambda line: line["shard"])
     write_lines(copy, [*lines, {**first, **change}])
     with pytest.raises(pliant.InputError, match=f"shards.jsonl{message}"):
-        EnsembleFrames(copy)
+        frames_of(copy)
 
 
 def test_another_number_of_frames_than_the_manifest_says(copy):
@@ -183,7 +182,7 @@ def test_another_number_of_frames_than_the_manifest_says(copy):
     lines[0]["frames"] = 5
     write_lines(copy, lines)
     with pytest.raises(pliant.InputError, match="is not what the manifest says: frames"):
-        EnsembleFrames(copy).read_positions(5 * 4 * lines[0]["shard"], None)
+        frames_of(copy).positions(5 * 4 * lines[0]["shard"])
 
 
 def test_bytes_are_looked_at_once(copy, monkeypatch):
@@ -193,9 +192,9 @@ def test_bytes_are_looked_at_once(copy, monkeypatch):
         looks.append(what)
         return check_shard(*what)
 
-    monkeypatch.setattr(open_shard, "check_shard", check)
+    monkeypatch.setattr(inspect_shard, "check_shard", check)
     for _ in range(2):
-        frames = EnsembleFrames(copy)
+        frames = frames_of(copy)
         for place in range(6):
             frames.numbers(20 * place)
     assert len(looks) == 6

@@ -14,8 +14,6 @@ import pliant.mdanalysis
 import pytest
 from ensembles import PEPTIDE, frames_of, shards_of
 from MDAnalysis.analysis.rms import RMSD
-from pliant.trajectory import hdf5 as _hdf5
-from pliant.trajectory.shards.frames import EnsembleFrames
 
 
 @pytest.fixture
@@ -51,31 +49,6 @@ def test_every_number_of_a_frame_is_there(universe, ensemble):
         assert {name: data[name] for name in names} == {
             name: column[k].item() for name, column in zip(names, columns, strict=True)
         }
-
-
-def test_files_are_read_in_blocks_and_not_frame_by_frame(ensemble, monkeypatch):
-    reads = []
-    read = _hdf5.read
-    monkeypatch.setattr(_hdf5, "read", lambda *what: reads.append(what) or read(*what))
-    frames = EnsembleFrames(ensemble)
-    into = np.empty((frames.atom_count, 3))
-    for k in range(len(frames)):
-        frames.read_positions(k, into)
-    assert len(reads) == 6  # one of each shard
-    for k in range(len(frames)):
-        numbers = frames.read(k, into)
-    assert len(reads) <= 6 + 6 * (1 + len(numbers))
-
-
-def test_frames_far_apart_are_read_alone(ensemble, monkeypatch):
-    frames = EnsembleFrames(ensemble)
-    into = np.empty((frames.atom_count, 3))
-    frames.read_positions(19, into)
-    read, values = _hdf5.read, []
-    monkeypatch.setattr(_hdf5, "read", lambda *what: values.append(read(*what)) or values[-1])
-    for k in (15, 2, 8):
-        frames.read_positions(k, into)
-    assert [len(rows) for rows in values] == [1, 1, 1]
 
 
 def test_names_and_bonds_are_those_of_the_input(universe):

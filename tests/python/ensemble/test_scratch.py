@@ -3,16 +3,13 @@
 
 import errno
 import os
-import shutil
 import subprocess
 import sys
 
-import h5py
 import pytest
-from ensembles import PEPTIDE, call, made, same_files, shards_of
+from ensembles import PEPTIDE, call, made, same_files
 from pliant.shards import folder_lock, scratch
 from pliant.shards.folder_lock import alone_in, mount_of
-from pliant.trajectory import hdf5 as _hdf5
 
 from pliant import FileError
 
@@ -119,24 +116,6 @@ def test_a_file_system_without_locks_is_told_once(tmp_path, monkeypatch, capfd, 
         pass
     err = capfd.readouterr().err
     assert err.count("takes no lock: see to it that no other machine") == 1
-
-
-@pytest.mark.parametrize(("number", "is_read"), [(errno.ENOLCK, True), (errno.EAGAIN, False)])
-def test_shards_are_read_where_there_are_no_locks(ensemble, tmp_path, monkeypatch, number, is_read):
-    whole = h5py.File
-
-    def refuse(name, mode="r", locking=None):
-        if locking is False:
-            return whole(name, mode, locking=False)
-        raise OSError(f"Unable to open file (unable to lock file, errno = {number})")
-
-    monkeypatch.setattr(h5py, "File", refuse)
-    path = shutil.copy(shards_of(ensemble)[0], tmp_path)  # nothing else has it open
-    if is_read:
-        _hdf5._opened_file(str(path)).close()
-    else:
-        with pytest.raises(FileError, match="cannot be opened"):
-            _hdf5._opened_file(str(path))
 
 
 def test_a_lock_that_another_holds_is_an_error(tmp_path):

@@ -160,6 +160,9 @@ def test_frames_of_a_file_are_read_when_they_are_asked_for(tmp_path, monkeypatch
         def __len__(self):
             return len(self.reader)
 
+        def __getattr__(self, name):
+            return getattr(self.reader, name)
+
     monkeypatch.setattr("pliant._core.H5mdReader", Reader)
     part = written[2:5]
     assert read == []

@@ -134,16 +134,16 @@ def test_the_command_goes_back(hairpin, tmp_path, monkeypatch, capsys):
 
 
 def test_an_analysis_knows_a_path(hairpin, tmp_path):
-    from pliant.trajectory.kind import TRANSITION, kind_of
-    from pliant.trajectory.record import read_record
+    from pliant.trajectory.kind import TRANSITION
+    from pliant.trajectory.opened import one_file
 
     seed = 2**64 - 1
     pliant.path(*hairpin, output=tmp_path / "p.h5md", both=True, backtrack=2, seed=seed)
-    record = read_record(tmp_path / "p.h5md")
-    kept = {name: value for name, value in record.parameters.items() if name.startswith("path/")}
+    frames = one_file(tmp_path / "p.h5md")
+    kept = {name: value for name, value in frames.parameters.items() if name.startswith("path/")}
     assert kept["path/end"] == "straight.pdb"
     assert (kept["path/both"], kept["path/backtrack"], kept["path/seed"]) == (True, 2, str(seed))
-    assert kind_of(record) == TRANSITION
+    assert frames.kind == TRANSITION
 
 
 def test_a_page_of_a_path_claims_no_errors(hairpin, tmp_path):

@@ -86,12 +86,10 @@ def test_the_solver_takes_them_as_they_are(solver, tmp_path):
 
 def test_other_sources(tmp_path):
     mda = pytest.importorskip("MDAnalysis")
-    from pliant.trajectory.record import read_record
-
     trajectory = tmp_path / "run.h5md"
     pliant.run(pliant.read(PEPTIDE), output=trajectory, steps=3)
     assert given_of(str(trajectory)).data == trajectory.read_bytes()
-    assert given_of(read_record(trajectory)).name == "run.h5md"
+    assert given_of(pliant.Trajectory(trajectory)).name == "run.h5md"
     assert given_of(PEPTIDE).data == PEPTIDE.read_bytes()
     universe = mda.Universe(str(PEPTIDE))
     assert np.array_equal(given_of(universe).start, universe.atoms.positions)

@@ -7,8 +7,7 @@ import sys
 import time
 
 import pytest
-from pliant.trajectory.record import read_record
-from pliant.trajectory.recording import read_recording
+from pliant.trajectory.opened import one_file
 
 import pliant
 
@@ -58,8 +57,7 @@ def test_every_open_reads_all_that_is_there(written):
     counts = []
     while len(counts) < 75 or counts[-1] == counts[0]:  # a later reader sees new frames
         counts.append(last_of(path))
-        counts.append(read_record(path).complete_frames)
-        counts.append(read_recording(path).frame_count)
+        counts.append(len(one_file(path)))
     assert counts == sorted(counts)
 
 
@@ -80,21 +78,7 @@ def test_what_stays_unreadable_is_being_written(tmp_path):
     recorder.flush()
     os.truncate(path, 3000)
     mine = f"{path}: is being written by "
-    for read in (pliant.H5mdReader, read_record, read_recording):
+    for read in (pliant.H5mdReader, one_file):
         with pytest.raises(pliant.FileError) as caught:
             read(path)
         assert str(caught.value).startswith(mine)
-
-
-def test_a_file_that_is_closed_meanwhile_is_no_harm(tmp_path, monkeypatch):
-    """Between listing the open files and asking one of them the garbage collector may close it."""
-    import h5py
-    from pliant.trajectory import hdf5 as _hdf5
-
-    with h5py.File(tmp_path / "other.h5", "w") as other:
-        closed = other.id
-    with h5py.File(tmp_path / "wanted.h5", "w") as wanted:
-        wanted["one"] = 1
-    monkeypatch.setattr(h5py.h5f, "get_obj_ids", lambda *_: [closed])
-    with _hdf5.open_file(tmp_path / "wanted.h5") as found:
-        assert found["one"][()] == 1

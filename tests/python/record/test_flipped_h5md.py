@@ -9,11 +9,9 @@ import contextlib
 
 import pytest
 from damaged_h5md import damages, death_of
-from pliant.trajectory.load import open_universe
-from pliant.trajectory.record import read_record
-from pliant.trajectory.recording import read_recording
+from pliant.trajectory.opened import one_file
 from pliant.trajectory.recover.recover import recover
-from pliant.trajectory.stored import StoredPositions
+from pliant.trajectory.universe import open_universe
 
 import pliant
 
@@ -28,29 +26,19 @@ def good(tmp_path_factory):
 
 
 def with_ours(path):
-    reader = pliant.H5mdReader(path)
-    for frame in range(min(len(reader), 20)):
-        reader.positions(frame)
-    for name in reader.observables:
-        reader.observable(name)
-    reader.framework()
-    reader.structure()
+    frames = one_file(path)
+    for frame in range(min(len(frames), 20)):
+        frames.moment(frame)
+    _ = frames.parameters, frames.framework, frames.structure, frames.contacts
 
 
 def with_mdanalysis(path):
-    trajectory = open_universe(path).trajectory
-    StoredPositions(trajectory).read(0)
-    for _ in trajectory[:5]:
+    for _ in open_universe(path).trajectory[:5]:
         pass
 
 
 def with_every_reader(path):
-    for read in (
-        with_ours,
-        read_record,
-        lambda path: list(read_recording(path).blocks()),
-        with_mdanalysis,
-    ):
+    for read in (with_ours, with_mdanalysis):
         # MDAnalysis raises what it likes when it reads frames.
         errors = Exception if read is with_mdanalysis else (pliant.Error, OSError)
         with contextlib.suppress(errors):
@@ -68,7 +56,7 @@ def read_damaged(whole, tmp_path, flips, breaks):
 
 
 def test_the_whole_file_is_read(good):
-    assert death_of(lambda: [with_ours(good), read_record(good), with_mdanalysis(good)]) == ""
+    assert death_of(lambda: [with_ours(good), with_mdanalysis(good)]) == ""
 
 
 def test_no_damage_kills_a_reader(good, tmp_path):

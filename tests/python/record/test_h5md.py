@@ -199,7 +199,7 @@ def test_a_damaged_atom_table_is_named(tmp_path, structure):
     path = record(tmp_path / "out.h5md", structure, 1)
     with h5py.File(path, "r+") as file:
         file["parameters/topology/residue_of"][3] = 99
-    with pytest.raises(ValueError, match="residue_of names no residue"):
+    with pytest.raises(ValueError, match="residue_of: value 3 is 99; expected 0 to 3"):
         MDAnalysis.Universe(path)
 
 

@@ -16,14 +16,14 @@ import numpy as np
 from pliant import _core
 from pliant._core import InputError, OptionError
 from pliant.adapters.convert.cif_models import write_models
-from pliant.adapters.convert.moment import Moment
 from pliant.adapters.convert.zarr_store import write_zarr
-from pliant.base.extras import need
+from pliant.adapters.mdanalysis import to_mdanalysis
+from pliant.adapters.rdkit import to_rdkit
+from pliant.base.extras import late, need
 from pliant.base.new_file import new_file, new_text
 from pliant.trajectory.files import file_of
+from pliant.trajectory.frames import Moment
 from pliant.trajectory.results import SampledEnsemble
-from pliant.trajectory.shards.frames import folder_of
-from pliant.trajectory.shards.plan import PLAN, is_ensemble
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.superposition import Superposition
 from pliant.trajectory.trajectory import HasFrames, Trajectory
@@ -31,6 +31,13 @@ from pliant.trajectory.trajectory import HasFrames, Trajectory
 if TYPE_CHECKING:
     from MDAnalysis import Universe
     from MDAnalysis.coordinates.base import WriterBase
+
+Chem = late("rdkit.Chem")
+analysis = late("pliant.measure.stages.analysis")
+shapes = late("pliant.measure.shapes.representatives")
+stages = late("pliant.measure.stages.opened")
+MDAnalysis = late("MDAnalysis")
+libdcd, libmdaxdr = map(late, ("MDAnalysis.lib.formats.libdcd", "MDAnalysis.lib.formats.libmdaxdr"))
 
 
 @dataclass
@@ -135,16 +142,10 @@ def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
 
 def _representatives(source: HasFrames | Molecule, count: int) -> list[int]:
     """Numbers of the frames."""
-    from pliant.measure.shapes.representatives import medoids
-    from pliant.measure.stages.analysis import AnalysisOptions
-    from pliant.measure.stages.opened import opened
-
     path, _folder = file_of(source, "representatives")
-    if is_ensemble(path):
-        path = str(folder_of(pathlib.Path(path)) / PLAN)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        found, _ = medoids(opened(AnalysisOptions(os.fspath(path))), count)
+        found, _ = shapes.medoids(stages.opened(analysis.AnalysisOptions(path)), count)
     return sorted(int(number) for number in found.frames)
 
 
@@ -186,10 +187,6 @@ def _write_h5md(
 def _write_sdf(
     output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
 ) -> int:
-    from rdkit import Chem
-
-    from pliant.adapters import to_rdkit
-
     molecule = to_rdkit(structure)
     conformer, count = molecule.GetConformer(), 0
     with new_text(output, overwrite=overwrite) as file:
@@ -233,10 +230,6 @@ def _write_xyz(
 def _write_with_mdanalysis(
     output: str, structure: _core.Structure, frames: Iterator[Moment], overwrite: bool
 ) -> int:
-    import MDAnalysis
-
-    from pliant.adapters import to_mdanalysis
-
     universe = to_mdanalysis(structure)
     ending = pathlib.Path(output).suffix[1:].upper()
     count = 0
@@ -269,10 +262,7 @@ def _no_room() -> OSError:
 
 def _ends_with(path: str, ending: str, count: int, positions: np.ndarray) -> bool:
     """Whether all frames are there: the writers do not hear of every full disk."""
-    from MDAnalysis.lib.formats.libdcd import DCDFile
-    from MDAnalysis.lib.formats.libmdaxdr import TRRFile, XTCFile
-
-    opened = {"DCD": DCDFile, "TRR": TRRFile, "XTC": XTCFile}[ending]
+    opened = getattr(libdcd if ending == "DCD" else libmdaxdr, f"{ending}File")
     try:
         with opened(path) as file:
             if len(file) != count:

@@ -14,13 +14,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant import _core
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.base.new_file import cannot_write
 
 if TYPE_CHECKING:
     import xarray
 
-    from pliant.adapters.convert.moment import Moment
+    from pliant.trajectory.frames import Moment
+else:
+    xarray = late("xarray")
 
 #: Bytes of positions in a chunk, which is read at once; and chunks that are written at once.
 _CHUNK_BYTES = 4 << 20
@@ -78,8 +80,6 @@ def _write(path: str, structure: _core.Structure, frames: Iterator[Moment], rows
 
 
 def _dataset(part: list[Moment], first: int) -> xarray.Dataset:
-    import xarray
-
     walkers = [one.walker for one in part if one.walker is not None]
     coordinates: dict[str, Any] = {
         "frame": np.arange(first, first + len(part)),

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from pliant import _core
-from pliant._core import H5mdReader, InputError, Structure
+from pliant._core import InputError, Structure
 from pliant.base.console import counted
 from pliant.base.output_names import start_beside
 from pliant.checks.force_field.jobs import Bench, Progress, deadline_in
@@ -21,6 +21,7 @@ from pliant.checks.force_field.molecule import Molecule, molecule_of, why_not
 from pliant.checks.openmm.child import Job, Outcome
 from pliant.checks.sample import NM
 from pliant.trajectory.chosen_frames import choose_frames
+from pliant.trajectory.opened import one_file
 from pliant.trajectory.superposition import Superposition
 
 MD_FRAMES = 3
@@ -56,7 +57,7 @@ THOROUGH = Wanted(starts=20, long_starts=3, md_steps=250)
 def why_not_file(path: str) -> str:
     """Why the force field cannot be asked of an ensemble; "" where it can."""
     try:
-        structure = H5mdReader(path).structure()
+        structure = one_file(path).structure
         reason = why_not(structure)
         if not reason:
             start_of(path, structure, None)
@@ -96,14 +97,14 @@ def minimise_file(
 
     Raises InputError as start_of does, and for a file without residues.
     """
-    reader = H5mdReader(path)
-    structure = reader.structure()
+    source = one_file(path)
+    structure = source.structure
     reason = why_not(structure)
     if reason:
         raise InputError(f"{path}: the force field is for proteins: {reason}")
     start = start_of(path, structure, wanted.start)
-    numbers = choose_frames(len(reader), wanted.starts_of(len(structure)))
-    frames = np.array([reader.positions(int(k)) for k in numbers])
+    numbers = choose_frames(len(source), wanted.starts_of(len(structure)))
+    frames = source.read(numbers)
     return minimise_frames(structure, start, frames, wanted, show, numbers, say)
 
 

@@ -11,11 +11,17 @@ from typing import TYPE_CHECKING
 
 from pliant._core import InputError, Structure
 from pliant.adapters.rdkit import add_conformer, bonded
+from pliant.base.extras import late
 from pliant.jobs.conformers.hydrogens import labels_of
 from pliant.jobs.conformers.options import ConformerOptions
 
 if TYPE_CHECKING:
     from rdkit.Chem import Atom, Bond, Mol
+
+Chem = late("rdkit.Chem")
+rdBase = late("rdkit.rdBase")
+rdDetermineBonds = late("rdkit.Chem.rdDetermineBonds")
+rdMolTransforms = late("rdkit.Chem.rdMolTransforms")
 
 HYDROGEN, CARBON, NITROGEN = 1, 6, 7
 CHARGES = (0, 1, -1, 2, -2, 3, -3, 4, -4)  #: that are tried where none is stated
@@ -28,8 +34,6 @@ LINEAR = 140.0  #: degrees, at least, at a carbon with two neighbours: those of 
 
 def skeleton(structure: Structure) -> Mol:
     """All of its atoms, uncharged, and its bonds as single ones, with its positions."""
-    from rdkit import Chem
-
     made = _placed(structure)
     for bond in made.GetBonds():
         bond.SetBondType(Chem.BondType.SINGLE)
@@ -43,8 +47,6 @@ def skeleton(structure: Structure) -> Mol:
 
 def sanitised(molecule: Mol, place: str, remedy: str) -> Mol:
     """With stereo as in 3-D. Raises InputError where RDKit does not accept its valences."""
-    from rdkit import Chem, rdBase
-
     with rdBase.BlockLogs():
         unfit = Chem.SanitizeMol(molecule, catchErrors=True)
     if unfit:
@@ -118,10 +120,7 @@ def _possible_charges(structure: Structure) -> list[int]:
 
 
 def _with_charge(bare: Mol, charge: int) -> Mol | None:
-    from rdkit import Chem, rdBase
-    from rdkit.Chem import rdDetermineBonds
-
-    made = Chem.Mol(bare)
+    made: Mol = Chem.Mol(bare)
     try:
         with rdBase.BlockLogs():
             rdDetermineBonds.DetermineBondOrders(made, charge=charge, maxIterations=MOST_TRIES)
@@ -161,15 +160,11 @@ def _is_usual_atom(molecule: Mol, atom: Atom) -> bool:
 
 def _angle(molecule: Mol, a: int, atom: Atom, b: int) -> float:
     """Degrees."""
-    from rdkit.Chem import rdMolTransforms
-
     place = molecule.GetConformer()
     return float(rdMolTransforms.GetAngleDeg(place, a, atom.GetIdx(), b))
 
 
 def _is_short(molecule: Mol, bond: Bond) -> bool:
-    from rdkit import Chem
-
     longest = LONGEST.get(bond.GetBondTypeAsDouble())
     if longest is None:
         return True

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pliant._core import FileError, InputError, OptionError
+from pliant.adapters.smiles import parsed_smiles
 from pliant.base import console
 from pliant.base.extras import need
 from pliant.base.processes import ended_by_signals
@@ -151,8 +152,6 @@ def _begun(arguments: argparse.Namespace) -> Journal:
 
 
 def _check_smiles(text: str) -> None:
-    from pliant.adapters.smiles import parsed_smiles
-
     try:
         parsed_smiles(text)
     except InputError as error:

@@ -16,10 +16,19 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant._core import InputError, Structure
-from pliant.base.extras import is_there
+from pliant.adapters.openmm import to_openmm
+from pliant.base.extras import is_there, late
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
+
+Chem = late("rdkit.Chem")
+Fields = late("rdkit.Chem.rdForceFieldHelpers")
+app = late("openmm.app")
+openmm = late("openmm")
+rdBase = late("rdkit.rdBase")
+rdkit = late("rdkit")
+unit = late("openmm.unit")
 
 Positions = npt.NDArray[np.float64]
 
@@ -51,10 +60,6 @@ def energy_of(name: str, structure: Structure, molecule: Callable[[], Mol]) -> E
 
 
 def _of_rdkit(name: str, molecule: Mol) -> Energy:
-    import rdkit
-    from rdkit import Chem, rdBase
-    from rdkit.Chem import rdForceFieldHelpers as Fields
-
     own = Chem.Mol(molecule, True)  # without conformers
     own.AddConformer(Chem.Conformer(own.GetNumAtoms()))
     used, field = name, None
@@ -88,17 +93,10 @@ def _of_rdkit(name: str, molecule: Mol) -> Energy:
 
 @lru_cache(maxsize=1)
 def _force_field(path: str) -> Any:
-    from openmm import app
-
     return app.ForceField(path)
 
 
 def _of_openmm(path: str, structure: Structure) -> Energy:
-    import openmm
-    from openmm import app, unit
-
-    from pliant.adapters.openmm import to_openmm
-
     modeller = to_openmm(structure)
     try:
         field = _force_field(path)

@@ -11,10 +11,12 @@ import numpy.typing as npt
 
 from pliant._core import InputError, Structure
 from pliant.base.console import counted
-from pliant.base.extras import MissingPackageError, need
+from pliant.base.extras import MissingPackageError, late, need
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
+
+Chem = late("rdkit.Chem")
 
 AROMATIC = 4  #: order of a bond
 NAMED = 8  #: atoms in a message
@@ -95,8 +97,6 @@ def completed(
 
     All given positions stay.
     """
-    from rdkit import Chem
-
     totals = {k: molecule.GetAtomWithIdx(k).GetTotalNumHs() for k in missing}
     lacking = {k: count for k, count in totals.items() if count}
     if not lacking:

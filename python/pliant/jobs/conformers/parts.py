@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant._core import InputError, Structure
+from pliant.adapters.smiles import metals_in
 from pliant.base.refusals import shown
 
 if TYPE_CHECKING:
@@ -46,8 +47,6 @@ def check_elements_of_mol(molecule: Mol, place: str) -> None:
 
 def _check_left_out(parts: Sequence[Sequence[str]], kept: int, place: str) -> None:
     """Raises InputError where a metal that is no counter-ion would be left out."""
-    from pliant.adapters.smiles import metals_in
-
     for k, symbols in enumerate(parts):
         is_ion = len(symbols) == 1 and symbols[0] in COUNTER_IONS
         if k != kept and not is_ion and (metals := metals_in(symbols)):

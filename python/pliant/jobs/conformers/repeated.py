@@ -4,16 +4,17 @@
 from __future__ import annotations
 
 from pliant._core import InputError
-from pliant.base.extras import is_there
+from pliant.base.extras import is_there, late
 from pliant.jobs.conformers.subject import Subject
+
+Chem = late("rdkit.Chem")
+rdBase = late("rdkit.rdBase")
 
 
 def canonical_smiles(subject: Subject) -> str:
     """That of RDKit, of the isomer as it is in 3-D; "" where RDKit is not there or refuses it."""
     if not is_there("rdkit"):
         return ""
-    from rdkit import Chem, rdBase
-
     try:
         molecule = Chem.Mol(subject.molecule)
     except InputError:

@@ -14,12 +14,15 @@ import numpy.typing as npt
 from pliant._core import Structure
 from pliant.adapters.rdkit import add_conformer
 from pliant.base.display import Displayed, Facts
+from pliant.base.extras import late
 from pliant.jobs.conformers.make import Made, as_sdf
 from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.trajectory import HasFrames, Trajectory
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
+
+Chem = late("rdkit.Chem")
 
 
 class Conformers(HasFrames, Displayed):
@@ -64,9 +67,7 @@ class Conformers(HasFrames, Displayed):
         Each conformer has the properties pliant_start (from 1) and pliant_energy (kcal/mol), the
         molecule pliant_energy_name.
         """
-        from rdkit import Chem
-
-        molecule = Chem.Mol(self._made.subject.molecule)
+        molecule: Mol = Chem.Mol(self._made.subject.molecule)
         molecule.RemoveAllConformers()
         for k, positions in enumerate(self.positions):
             conformer = add_conformer(molecule, positions)

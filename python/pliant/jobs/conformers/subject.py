@@ -12,8 +12,9 @@ import numpy.typing as npt
 
 from pliant import _core
 from pliant._core import InputError, Structure
-from pliant.adapters.smiles import MOST_ATOMS
-from pliant.base.extras import need
+from pliant.adapters.rdkit import from_rdkit
+from pliant.adapters.smiles import MOST_ATOMS, embed, parsed_smiles
+from pliant.base.extras import late, need
 from pliant.base.said import noted
 from pliant.jobs.conformers.hydrogens import (
     check_addable,
@@ -33,6 +34,9 @@ from pliant.jobs.conformers.v3000 import fits_v2000, text_of
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
+
+Chem = late("rdkit.Chem")
+rdBase = late("rdkit.rdBase")
 
 HEADER = ("_Name", "_MolFileInfo", "_MolFileComments")  #: lines of a record, as RDKit calls them
 
@@ -127,8 +131,6 @@ def subject_of_mol(
     molecule: Mol, options: ConformerOptions, place: str = "the molecule"
 ) -> Subject:
     """Of a molecule of RDKit; one without conformers is embedded, with hydrogens."""
-    from rdkit import Chem
-
     name = one_line(molecule.GetProp("_Name")) if molecule.HasProp("_Name") else ""
     check_elements_of_mol(molecule, place)
     notes, whole = [], molecule
@@ -218,10 +220,6 @@ def _with_text_of(block: MolBlock, made: Subject) -> Subject:
 
 
 def _of_whole_mol(molecule: Mol, name: str, notes: list[str]) -> Subject:
-    from rdkit import Chem
-
-    from pliant.adapters.rdkit import from_rdkit
-
     with noted():
         structure = from_rdkit(molecule)
     headed = Chem.Mol(molecule)
@@ -233,8 +231,6 @@ def _of_whole_mol(molecule: Mol, name: str, notes: list[str]) -> Subject:
 
 def _of_smiles(record: Record, options: ConformerOptions) -> Subject:
     need("a SMILES", "rdkit")
-    from pliant.adapters.smiles import parsed_smiles
-
     try:
         molecule = parsed_smiles(record.text)
     except InputError as error:
@@ -246,10 +242,6 @@ def _of_smiles(record: Record, options: ConformerOptions) -> Subject:
 def _embedded(
     molecule: Mol, name: str, notes: list[str], options: ConformerOptions, place: str
 ) -> Subject:
-    from rdkit import Chem
-
-    from pliant.adapters.smiles import embed
-
     made = Chem.Mol(molecule)
     if made.GetNumConformers() and made.GetConformer().Is3D():
         Chem.AssignStereochemistryFrom3D(made)
@@ -279,10 +271,8 @@ def _embedded_record(
 
 
 def _read_by_rdkit(text: str, place: str) -> Mol:
-    from rdkit import Chem, rdBase
-
     with rdBase.BlockLogs():
-        molecule = Chem.MolFromMolBlock(text, removeHs=False)
+        molecule: Mol = Chem.MolFromMolBlock(text, removeHs=False)
     if molecule is None:
         raise InputError(f"{place}: RDKit does not accept the molecule")
     return molecule

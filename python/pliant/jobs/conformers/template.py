@@ -12,12 +12,15 @@ import numpy.typing as npt
 
 from pliant._core import InputError, Structure
 from pliant.adapters.smiles import parsed_smiles
+from pliant.base.extras import late
 from pliant.base.refusals import shown
 from pliant.jobs.conformers.bond_orders import HYDROGEN, sanitised, skeleton
 from pliant.jobs.conformers.hydrogens import completed, labels_of
 
 if TYPE_CHECKING:
     from rdkit.Chem import Atom, Bond, Mol
+
+Chem = late("rdkit.Chem")
 
 MOST_MATCHES = 10_000  #: ways to lay the SMILES onto the ligand
 #: Lengths of bonds by their order, of the sum of covalent radii.
@@ -32,8 +35,6 @@ def by_smiles(structure: Structure, smiles: str, place: str) -> tuple[Mol, list[
     Of several ways to lay one onto the other, that with the best bond lengths is taken. Raises
     InputError, which names what differs, where the two are not the same molecule or isomer.
     """
-    from rdkit import Chem
-
     template, ligand = Chem.RemoveAllHs(parsed_smiles(smiles)), skeleton(structure)
     place = f"{place}: is not {shown(smiles)}"
     names = labels_of(ligand)
@@ -88,14 +89,13 @@ def _is_heavy(bond: Bond) -> bool:
 
 def _pattern(template: Mol) -> Mol:
     """Its atoms and bonds alone: no orders, charges or isotopes."""
-    from rdkit import Chem
-
     made = Chem.RWMol()
     for atom in template.GetAtoms():
         made.AddAtom(Chem.Atom(atom.GetAtomicNum()))
     for bond in template.GetBonds():
         made.AddBond(bond.GetBeginAtomIdx(), bond.GetEndAtomIdx(), Chem.BondType.SINGLE)
-    return made.GetMol()
+    bare: Mol = made.GetMol()
+    return bare
 
 
 def _hydrogens(molecule: Mol) -> npt.NDArray[np.int64]:
@@ -106,8 +106,6 @@ def _hydrogens(molecule: Mol) -> npt.NDArray[np.int64]:
 
 def _misfits(template: Mol, ligand: Mol, ways: Ways) -> npt.NDArray[np.float64]:
     """(W,) Angstrom^2: how far lengths are from those of the orders that each way gives."""
-    from rdkit import Chem
-
     radius = Chem.GetPeriodicTable().GetRcovalent
     radii = [radius(atom.GetAtomicNum()) for atom in template.GetAtoms()]
     x, found = ligand.GetConformer().GetPositions(), np.zeros(len(ways))
@@ -140,8 +138,6 @@ def _check_stereo(template: Mol, made: Mol, placed: Sequence[tuple[int, str]], p
 
     `placed` are number and name in the ligand of each atom of the SMILES.
     """
-    from rdkit import Chem
-
     if Chem.RemoveHs(made).HasSubstructMatch(template, useChirality=True):
         return
     differ = []

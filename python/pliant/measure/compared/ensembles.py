@@ -12,8 +12,11 @@ import numpy as np
 from pliant._core import InputError
 from pliant.measure.bars import lengths
 from pliant.measure.compared.pairing import Pairing
+from pliant.measure.rotatable import is_hydrogen
 from pliant.trajectory.chosen_frames import choose_frames
-from pliant.trajectory.recording import Recording
+from pliant.trajectory.frames import Frames
+from pliant.trajectory.kind import ENSEMBLE
+from pliant.trajectory.universe import source_of
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
@@ -31,7 +34,7 @@ class SingleFrameError(InputError):
 class Ensembles:
     """Both trajectories as arrays, and what of ours is needed to interpret them."""
 
-    recording: Recording
+    recording: Frames
     pairing: Pairing
     ours: np.ndarray  #: (F, n, 3) Angstrom
     theirs: np.ndarray  #: (G, n, 3) Angstrom
@@ -45,7 +48,7 @@ class Ensembles:
 
 
 def read_ensembles(
-    recording: Recording, pairing: Pairing, frames: int | str, path: str | os.PathLike[str]
+    recording: Frames, pairing: Pairing, frames: int | str, path: str | os.PathLike[str]
 ) -> Ensembles:
     """Reads at most `frames` frames of each, spread evenly.
 
@@ -55,7 +58,7 @@ def read_ensembles(
     bars, rest_lengths = _bars_among(recording, pairing.ours)
     ours = _read_ours(recording, pairing.ours, frames)
     theirs = _read_theirs(pairing.theirs, frames, path)
-    for name, positions in ((recording.path, ours), (os.fspath(path), theirs)):
+    for name, positions in ((recording.name, ours), (os.fspath(path), theirs)):
         if len(positions) < 2:
             kind = SingleFrameError if len(positions) == 1 else InputError
             raise kind(f"{name}: expected at least 2 frames, found {len(positions)}")
@@ -65,8 +68,8 @@ def read_ensembles(
     return Ensembles(recording, pairing, ours, theirs, bars, rest_lengths)
 
 
-def _bars_among(recording: Recording, atoms: AtomGroup) -> tuple[np.ndarray, np.ndarray]:
-    place = np.full(recording.joint_count, -1)
+def _bars_among(recording: Frames, atoms: AtomGroup) -> tuple[np.ndarray, np.ndarray]:
+    place = np.full(recording.atom_count, -1)
     place[atoms.ix] = np.arange(len(atoms))
     bars = place[recording.bars]
     inside = (bars >= 0).all(axis=1)
@@ -85,47 +88,48 @@ def _chosen(count: int, frames: int | str, atoms: int, path: str | os.PathLike[s
 
 
 def _chosen_of_ours(
-    recording: Recording, atoms: AtomGroup | np.ndarray, frames: int | str
+    recording: Frames, atoms: AtomGroup | np.ndarray, frames: int | str
 ) -> np.ndarray:
     """Among those around the start: others show what else it could be, not how flexible it is."""
     near = recording.around_start
-    chosen: np.ndarray = near[_chosen(len(near), frames, len(atoms), recording.path)]
+    chosen: np.ndarray = near[_chosen(len(near), frames, len(atoms), recording.name)]
     return chosen
 
 
-def _read_ours(recording: Recording, atoms: AtomGroup, frames: int | str) -> np.ndarray:
-    """In the precision in which they are stored, which MDAnalysis rounds."""
-    chosen = _chosen_of_ours(recording, atoms, frames)
+def _read_ours(recording: Frames, atoms: AtomGroup, frames: int | str) -> np.ndarray:
+    return _read(recording, _chosen_of_ours(recording, atoms, frames), atoms.ix)
+
+
+def _read(source: Frames, chosen: np.ndarray, atoms: np.ndarray) -> np.ndarray:
+    """(f, n, 3) in the precision in which they are stored, which MDAnalysis rounds."""
     pieces = np.array_split(chosen, max(1, len(chosen) // 100))
-    return np.concatenate([recording.positions(piece)[:, atoms.ix] for piece in pieces])
+    return np.concatenate([source.read(piece)[:, atoms] for piece in pieces])
 
 
 def read_trace(
-    recording: Recording, atoms: np.ndarray, frames: int | str
+    recording: Frames, atoms: np.ndarray, frames: int | str
 ) -> tuple[np.ndarray, np.ndarray | None]:
     """Frames (F, k, 3) of some of our atoms, and their numbers (F,) where they are independent.
 
     Frames of `pliant sample` are. Raises InputError where there are fewer than two frames.
     """
-    from pliant.trajectory.record import read_record
-
     chosen = _chosen_of_ours(recording, atoms, frames)
     if len(chosen) < 2:
-        raise InputError(f"{recording.path}: expected at least 2 frames, found {len(chosen)}")
-    pieces = np.array_split(chosen, max(1, len(chosen) // 100))
-    positions = np.concatenate([recording.positions(piece)[:, atoms] for piece in pieces])
-    record = read_record(recording.path)
-    independent = record is not None and "sample/sampler" in record.parameters
-    return positions, recording.steps[chosen] if independent else None
+        raise InputError(f"{recording.name}: expected at least 2 frames, found {len(chosen)}")
+    positions = _read(recording, chosen, atoms)
+    if recording.kind != ENSEMBLE:
+        return positions, None
+    return positions, np.array([recording.step(int(frame)) for frame in chosen])
 
 
 def _read_theirs(atoms: AtomGroup, frames: int | str, path: str | os.PathLike[str]) -> np.ndarray:
-    from pliant.trajectory.stored import StoredPositions
-
     trajectory = atoms.universe.trajectory
     chosen = _chosen(len(trajectory), frames, len(atoms), path)
-    stored = StoredPositions(trajectory)  # of H5MD files in the precision in which they are stored
-    return np.array([stored.at(step)[atoms.ix] for step in trajectory[chosen.tolist()]])
+    source = source_of(trajectory)
+    if source is not None:
+        return _read(source, chosen, atoms.ix)
+    found = [atoms.positions.astype(np.float64) for _ in trajectory[chosen.tolist()]]
+    return np.array(found)
 
 
 def _refuse_torn(
@@ -154,8 +158,6 @@ def fit_atoms(atoms: AtomGroup) -> np.ndarray:
 
     Of these the modes are those compared, too.
     """
-    from pliant.measure.rotatable import is_hydrogen
-
     alpha = alpha_carbons(atoms)
     if len(alpha) >= FEW_ALPHA_CARBONS:
         return alpha

@@ -8,12 +8,12 @@ import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import h5py
 import numpy as np
+from MDAnalysis.exceptions import SelectionError
 
 from pliant._core import InputError
-from pliant.base.input_files import expect_file
-from pliant.trajectory import hdf5 as _hdf5
+from pliant.trajectory.opened import is_recorded
+from pliant.trajectory.universe import nameless_count, open_frames, open_universe
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
@@ -29,35 +29,6 @@ class Pairing:
     how: str  #: how they were matched, for the report
 
 
-def open_universe(*files: str | os.PathLike[str]) -> Universe:
-    """A universe of files that are there. Raises InputError in one line when it cannot be made."""
-    import MDAnalysis
-
-    import pliant.trajectory.h5md_parser
-    import pliant.trajectory.shards.reader  # noqa: F401  # both open files of ours
-
-    for file in files:
-        if not os.path.exists(file):
-            raise InputError(f"{os.fspath(file)}: no such file")
-        expect_file(file)
-        if os.path.isfile(file) and os.path.getsize(file) == 0:
-            raise InputError(f"{os.fspath(file)}: is empty")
-        if h5py.is_hdf5(file):
-            _hdf5.open_file(file).close()  # looked at before MDAnalysis reads it
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of missing masses and the like
-            return MDAnalysis.Universe(*(os.fspath(file) for file in files))
-    except Exception as error:  # each of MDAnalysis' readers has its own kinds
-        names = " with ".join(os.fspath(file) for file in files)
-        raise InputError(f"{names}: MDAnalysis cannot read this: {_one_line(error)}") from error
-
-
-def _one_line(error: Exception) -> str:
-    text = " ".join(str(error).split())
-    return text if len(text) <= 200 else f"{text[:200]}..."
-
-
 def open_theirs(
     path: str | os.PathLike[str], topology: str | os.PathLike[str] | None, ours: Universe
 ) -> tuple[Universe, bool]:
@@ -66,11 +37,9 @@ def open_theirs(
     Without a topology a trajectory that holds no names (DCD, XTC) gets the atoms of ours, if they
     are as many.
     """
-    if topology is not None:
-        return open_universe(topology, path), True
-    if not os.path.exists(path):
-        raise InputError(f"{os.fspath(path)}: no such file")
-    count = _nameless_count(os.fspath(path))
+    if topology is not None or is_recorded(path):
+        return open_frames(path, topology)[1], True
+    count = nameless_count(path)
     if count is None:
         return open_universe(path), True
     if count != len(ours.atoms):
@@ -83,34 +52,14 @@ def open_theirs(
     return theirs, False
 
 
-def _nameless_count(path: str) -> int | None:
-    """Atoms of a trajectory whose format has no names; None if it has, or is unknown."""
-    from MDAnalysis.coordinates.core import get_reader_for
-    from MDAnalysis.core._get_readers import get_parser_for
-    from MDAnalysis.topology.MinimalParser import MinimalParser
-
-    try:
-        if get_parser_for(path) is not MinimalParser:
-            return None
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            with get_reader_for(path)(path) as reader:
-                return int(reader.n_atoms)
-    except Exception as error:  # each of MDAnalysis' readers has its own kinds
-        message = f"{path}: MDAnalysis cannot read this: {_one_line(error)}"
-        raise InputError(message) from error
-
-
 def choose(universe: Universe, selection: str, path: str | os.PathLike[str]) -> AtomGroup:
     """Atoms of a selection. Raises InputError if it is wrong or there are none."""
-    from MDAnalysis.exceptions import SelectionError
-
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             atoms = universe.select_atoms(selection)
     except (SelectionError, AttributeError, ValueError, TypeError) as error:
-        raise InputError(f"--select '{selection}': {_one_line(error)}") from error
+        raise InputError(f"--select '{selection}': {' '.join(str(error).split())}") from error
     if len(atoms) == 0:
         raise InputError(f"{os.fspath(path)}: --select '{selection}' chooses no atom")
     return atoms

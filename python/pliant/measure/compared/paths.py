@@ -21,12 +21,13 @@ from pliant._core import InputError
 from pliant.base.checked import checked, whole
 from pliant.base.extras import need
 from pliant.measure.compared.ensembles import read_trace
-from pliant.measure.compared.pairing import choose, open_universe
+from pliant.measure.compared.pairing import choose
 from pliant.measure.compared.reference import read_reference
 from pliant.measure.compared.residues import LEAST_RESIDUES
 from pliant.measure.compared.trace_of_atoms import trace_of_atoms
-from pliant.trajectory.recording import read_recording
+from pliant.trajectory.opened import one_file
 from pliant.trajectory.superposition import rmsd_to, superpose_onto
+from pliant.trajectory.universe import universe_of
 
 FRAMES = 500
 
@@ -92,8 +93,9 @@ def compare_paths(
         A file cannot be read, has fewer than two frames, or no residues that match.
     """
     need("pliant.compare", "MDAnalysis")
-    recording, universe = read_recording(ours), open_universe(ours)
-    chosen = choose(universe, select, recording.path)
+    recording = one_file(ours)
+    universe = universe_of(recording)
+    chosen = choose(universe, select, ours)
     trace = trace_of_atoms(chosen)
     if len(trace) < LEAST_RESIDUES:
         raise InputError(f"{os.fspath(ours)}: expected {LEAST_RESIDUES} residues or more")
@@ -106,7 +108,7 @@ def compare_paths(
     table = rmsd_to(mine, other)
     line = rmsd_to(straight_line(other[0], other[-1], len(mine)), other)
     return PathComparison(
-        recording.path,
+        os.fspath(ours),
         [os.fspath(theirs)],
         mine.shape[1],
         table.shape,
@@ -143,7 +145,6 @@ def frechet(table: np.ndarray) -> float:
 
 def straight_line(first: np.ndarray, last: np.ndarray, frames: int) -> np.ndarray:
     """(frames, n, 3) from one structure (n, 3) to the other, superposed on it."""
-
     end = superpose_onto(last[None], slice(None), first)[0]
     line: np.ndarray = first + np.linspace(0.0, 1.0, frames)[:, None, None] * (end - first)
     return line

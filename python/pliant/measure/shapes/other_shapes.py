@@ -129,7 +129,7 @@ def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
 
 def _contacts_gone(analysis: Analysis, place: int) -> np.ndarray | None:
     """Contacts that the model holds at the start and this frame does not."""
-    contacts = analysis.record.contacts if analysis.record else None
+    contacts = analysis.source.contacts
     number = analysis.frames[place]
     if contacts is None or contacts.states is None or len(contacts.states) <= number:
         return None

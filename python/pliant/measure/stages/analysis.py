@@ -13,15 +13,15 @@ from pliant.measure.frames import HAS_BACKENDS
 from pliant.measure.stages.parts import Part
 from pliant.trajectory.drawn_by import around_start, is_near
 from pliant.trajectory.frame_store import AT_ONCE_BYTES, FrameStore
-from pliant.trajectory.kind import ENSEMBLE, kind_of
+from pliant.trajectory.kind import ENSEMBLE
+from pliant.trajectory.opened import FramesOfUniverse
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
     from MDAnalysis.analysis.base import Results
 
     from pliant.measure.frames import FrameAnalysis
-    from pliant.trajectory.record import RunRecord
-    from pliant.trajectory.stored import StoredPositions
+    from pliant.trajectory.frames import Frames
 
 AnyPart = TypeVar("AnyPart", bound=Part)
 
@@ -49,8 +49,7 @@ class Analysis:
 
     options: AnalysisOptions
     universe: Universe
-    record: RunRecord | None  #: what the file says of the run; None for foreign formats
-    stored: StoredPositions  #: positions with all their digits
+    source: Frames  #: positions with all their digits, and what the file says of the run
     atoms: AtomGroup  #: atoms that are analysed
     fitted: AtomGroup  #: atoms that are superposed and enter the PCA
     fitted_name: str
@@ -93,7 +92,7 @@ class Analysis:
     @property
     def kind(self) -> str:
         """ENSEMBLE, PATH, TRANSITION or TRAJECTORY."""
-        return kind_of(self.record)
+        return self.source.kind
 
     @property
     def first(self) -> int:
@@ -114,10 +113,10 @@ class Analysis:
 
     def positions(self, k: int) -> np.ndarray:
         """Positions (N, 3) of all atoms in the k-th frame analysed, Angstrom, float64."""
-        if self.stored.in_file:
-            return self.stored.read(self.frames[k])
-        number = k if self.held is not None else self.frames[k]
-        return self.stored.at(self.universe.trajectory[number])
+        if self.held is not None and isinstance(self.source, FramesOfUniverse):
+            held: np.ndarray = self.held.take(np.array([k]))[0]
+            return held.astype(np.float64)  # as exact, and sooner
+        return self.source.positions(int(self.frames[k]))
 
     def some_positions(self, atoms: np.ndarray) -> Iterator[np.ndarray]:
         """Positions (f, m, 3) of some atoms, Angstrom: some frames of those analysed at a time."""
@@ -145,8 +144,8 @@ class Analysis:
 
     def observable(self, name: str) -> np.ndarray | None:
         """(F,) an observable of the run at the frames analysed; None if there is none."""
-        values = self.record.observables.get(name) if self.record else None
-        return None if values is None or len(values) <= self.frames.max() else values[self.frames]
+        values = self.source.observables.get(name)
+        return None if values is None else values[self.frames]
 
     @property
     def around_start(self) -> np.ndarray | None:

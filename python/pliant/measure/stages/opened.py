@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from MDAnalysis.exceptions import NoDataError, SelectionError
@@ -14,11 +13,7 @@ from pliant.measure.rotatable import is_hydrogen
 from pliant.measure.stages.analysis import Analysis
 from pliant.measure.stages.frames_held import choose_frames
 from pliant.measure.stages.units import trace_atoms
-from pliant.trajectory.load import open_universe
-from pliant.trajectory.record import RunRecord, read_record
-from pliant.trajectory.shards.frames import EnsembleFrames, folder_of
-from pliant.trajectory.shards.plan import is_ensemble
-from pliant.trajectory.stored import StoredPositions
+from pliant.trajectory.universe import open_frames
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
@@ -32,20 +27,19 @@ def opened(options: AnalysisOptions) -> Analysis:
     Raises InputError (one line) when the file cannot be used, OptionError when the choice of atoms
     or frames is wrong or empty.
     """
-    universe = open_universe(options.path, options.topology)
-    stored, record = StoredPositions(universe.trajectory), _record(options.path)
+    source, universe = open_frames(options.path, options.topology)
     atoms = _select(universe, options.select, "--select")
     fitted, name = _fitted(universe, atoms, options.superpose)
-    chosen, remarks = choose_frames(options, universe, record, stored)
-    if stored.joints_of_whole:
+    chosen, remarks = choose_frames(options, universe, source)
+    if source.joints_of_whole:
         remarks.append(
-            f"the file holds {len(universe.atoms)} of the molecule's {stored.joints_of_whole} "
+            f"the file holds {len(universe.atoms)} of the molecule's {source.joints_of_whole} "
             "atoms (--save): bars and stereochemistry are looked at among these only"
         )
     if min(options.workers, len(chosen.frames)) > 1 and not HAS_BACKENDS:
         remarks.append("one process: MDAnalysis runs analyses in several from 2.8 on")
     which = (chosen.frames, chosen.times, chosen.steps, chosen.held)
-    return Analysis(options, universe, record, stored, atoms, fitted, name, *which, tuple(remarks))
+    return Analysis(options, universe, source, atoms, fitted, name, *which, tuple(remarks))
 
 
 def _fitted(universe: Universe, atoms: AtomGroup, selection: str | None) -> tuple[AtomGroup, str]:
@@ -60,21 +54,6 @@ def _fitted(universe: Universe, atoms: AtomGroup, selection: str | None) -> tupl
         return trace, " and ".join(sorted(set(trace.names))) + " atoms"
     heavy = atoms[~is_hydrogen(atoms)]
     return (heavy, "heavy atoms") if 3 <= len(heavy) < len(atoms) else (atoms, "all atoms")
-
-
-def _record(path: str) -> RunRecord | None:
-    if is_ensemble(path):
-        return _record_of_ensemble(path)
-    try:
-        return read_record(path)
-    except OSError:
-        return None
-
-
-def _record_of_ensemble(path: str) -> RunRecord | None:
-    """The options alone, which all shards share: bars and observables would be of one shard."""
-    record = _record(str(EnsembleFrames(folder_of(Path(path))).paths[0]))
-    return None if record is None else RunRecord(path, parameters=record.parameters)
 
 
 def _select(universe: Universe, selection: str, option: str) -> AtomGroup:

@@ -3,16 +3,16 @@
 
 from __future__ import annotations
 
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import MDAnalysis
 import numpy as np
 
 from pliant._core import InputError
 from pliant.base.output_names import start_beside
 from pliant.measure.stages.parts import ReferenceStructure
+from pliant.trajectory.opened import is_recorded
+from pliant.trajectory.universe import open_universe
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe
@@ -33,7 +33,7 @@ def reference_of(analysis: Analysis) -> ReferenceStructure:
     if named is not None:
         return ReferenceStructure(_same_atoms(analysis.universe, Path(named)), Path(named).name)
     beside, first = start_beside(analysis.options.path), analysis.positions(0)
-    if analysis.record is None or not beside.is_file():
+    if not is_recorded(analysis.options.path) or not beside.is_file():
         return ReferenceStructure(first, FIRST)
     try:
         positions = _same_atoms(analysis.universe, beside)
@@ -46,15 +46,7 @@ def reference_of(analysis: Analysis) -> ReferenceStructure:
 
 def _same_atoms(universe: Universe, path: Path) -> np.ndarray:
     """Positions of a structure file whose atoms are those of the universe."""
-    if not path.is_file():
-        raise InputError(f"{path}: no such file")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            other = MDAnalysis.Universe(str(path))
-        except Exception as error:  # MDAnalysis raises whatever its readers meet
-            reason = " ".join(str(error).split()) or type(error).__name__
-            raise InputError(f"{path}: MDAnalysis cannot read it: {reason}") from error
+    other = open_universe(path)
     ours, theirs = universe.atoms, other.atoms
     if len(ours) != len(theirs):
         raise InputError(f"{path}: expected {len(ours)} atoms, found {len(theirs)}")

@@ -25,8 +25,7 @@ from pliant.report.representatives import representatives
 from pliant.report.sections import flexible
 from pliant.report.sections.domains import RigidDomains, named_stretches
 from pliant.trajectory.kind import ENSEMBLE, MEANING
-from pliant.trajectory.shards.frames import EnsembleFrames, folder_of
-from pliant.trajectory.shards.plan import is_ensemble
+from pliant.trajectory.shards.ensemble import EnsembleFrames
 
 if TYPE_CHECKING:
     from pliant.measure.stages.analysis import Analysis
@@ -82,10 +81,10 @@ def _chosen(analysis: Analysis, wanted: list[int], most_bytes: int) -> np.ndarra
 
 def _file(path: Path, analysis: Analysis, chosen: np.ndarray) -> bytes:
     """As it is, or with the chosen frames alone."""
-    many = is_ensemble(str(path))
-    if not many and len(chosen) == len(analysis.frames):
+    frames = analysis.source
+    source = frames.paths[0] if isinstance(frames, EnsembleFrames) else path
+    if source == path and len(chosen) == len(analysis.frames):
         return path.read_bytes()
-    source = EnsembleFrames(folder_of(path)).paths[0] if many else path
     places = {int(analysis.frames[k]): int(k) for k in chosen}
     with tempfile.TemporaryDirectory(prefix="pliant-") as folder:
         output = Path(folder) / "thinned.h5md"

@@ -5,22 +5,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import h5py
-
-from pliant.trajectory.shards.plan import is_ensemble
+from pliant._core import Error
+from pliant.trajectory.opened import is_recorded, recorded
 
 LEAST_FRAMES = 4  #: fewer are no ensemble
 
 
 def is_many_frames(path: Path) -> bool:
     """Whether a file or folder holds enough frames to look for domains and shapes in."""
-    if is_ensemble(str(path)):
-        return True
+    if not is_recorded(path):
+        return False
     try:
-        with h5py.File(path) as file:
-            groups = file["particles"].values()
-            return any(
-                len(one["position/value"]) >= LEAST_FRAMES for one in groups if "position" in one
-            )
-    except (OSError, KeyError, TypeError):  # which the page tells of
+        return len(recorded(path)) >= LEAST_FRAMES
+    except Error:  # which the page tells of
         return False

@@ -24,14 +24,14 @@ from pliant.checks.force_field.verdicts import md_verdict
 from pliant.checks.sample import Sample
 from pliant.report.build import Report
 from pliant.report.section import Line, Section, Values
-from pliant.trajectory.recording import Recording
+from pliant.trajectory.h5md import FramesOfH5md
 
 
 @dataclass
 class CheckReport(Displayed):
     """What `check` found. ``passed`` is the answer; the rest says why."""
 
-    recording: Recording
+    recording: FramesOfH5md
     sample: Sample
     remeasured: Remeasured
     findings: list[Finding]
@@ -76,7 +76,7 @@ class CheckReport(Displayed):
         """Each finding with what was measured."""
         checks = [(one.title, f"{one.result}, {one.measured or '-'}") for one in self.findings]
         answer = "yes" if self.passed else "no"
-        head = [("verdict", self.verdict.sentence), ("file", self.recording.path)]
+        head = [("verdict", self.verdict.sentence), ("file", self.recording.name)]
         return [*head, ("passed", f"{answer}: {self.covers.text}"), *checks]
 
     def as_json(self) -> dict[str, Any]:
@@ -98,7 +98,7 @@ def _bars(report: CheckReport) -> Verdict:
 def _md_starts(report: CheckReport) -> Verdict | None:
     found = report.force_field
     if found is not None and not found.why_not:
-        return md_verdict(found, report.recording.frame_count)
+        return md_verdict(found, len(report.recording))
     if any(one.title.startswith(OF_MD_STARTS) for one in report.findings):
         return Verdict("open", "MD starts were not tested.", "", "MD starts")
     return None
@@ -111,8 +111,8 @@ def _head(report: CheckReport) -> Iterator[Line]:
     exact = f"{tolerance.length:g} A" if tolerance.length > 0 else f"{tolerance.relative:g}"
     yield report.verdict.sentence
     yield (
-        f"{printable_name(recording.path)}: {recording.frame_count} frames, "
-        f"{recording.joint_count} atoms, {len(recording.bars)} {kind}, tolerance {exact}; "
+        f"{printable_name(recording.name)}: {len(recording)} frames, "
+        f"{recording.atom_count} atoms, {len(recording.bars)} {kind}, tolerance {exact}; "
         f"{len(report.sample.frames)} frames shown to OpenMM {report.openmm_version}"
     )
     if covers.left_out:
@@ -127,17 +127,17 @@ def _head_values(report: CheckReport) -> Values:
     return {
         "verdict": report.verdict.kind,
         "verdict_text": report.verdict.sentence,
-        "file": recording.path,
+        "file": recording.name,
         "passed": report.passed,
         "covers": vars(report.covers),
         "pliant": _core.version(),
         "openmm": report.openmm_version,
-        "atoms": recording.joint_count,
+        "atoms": recording.atom_count,
         "bars": len(recording.bars),
         "pinned": int(recording.pinned.sum()),
         "tolerance": dict(vars(recording.tolerance)),
         "frames": {
-            "total": recording.frame_count,
+            "total": len(recording),
             "not_converged": int((~recording.converged).sum()),
             "shown_to_openmm": report.sample.frames.tolist(),
         },

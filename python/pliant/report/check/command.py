@@ -9,8 +9,11 @@ import sys
 from collections.abc import Sequence
 
 from pliant.base import console
+from pliant.base.extras import late
 from pliant.base.said import notes_shown_by
 from pliant.report.build import Report, print_lines
+
+reports, suite = late("pliant.report.check.check_report"), late("pliant.report.check.suite")
 
 EPILOG = """\
 Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. If OpenMM cannot do
@@ -85,11 +88,8 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    from pliant.report.check.check_report import SECTIONS
-    from pliant.report.check.suite import check
-
     with notes_shown_by(console.note):
-        report = check(
+        report = suite.check(
             arguments.file,
             frames=arguments.frames,
             force_field=arguments.force_field,
@@ -102,7 +102,7 @@ def _check(arguments: argparse.Namespace) -> int:
     if arguments.json:
         console.print_json(report.as_json())
     else:
-        print_lines(Report(report, SECTIONS).lines())
+        print_lines(Report(report, reports.SECTIONS).lines())
     return console.EXIT_OK if report.passed else console.EXIT_FAILED
 
 

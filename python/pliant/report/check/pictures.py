@@ -42,10 +42,10 @@ def draw(report: CheckReport, path: str) -> None:
 def _title(report: CheckReport) -> str:
     recording = report.recording
     state = "all checks passed" if report.passed else "a check failed"
-    name = recording.path.rsplit("/", 1)[-1]
+    name = recording.name.rsplit("/", 1)[-1]
     return (
-        f"{name}: {recording.joint_count} atoms, {len(recording.bars)} bars, "
-        f"{recording.frame_count} frames - {state}"
+        f"{name}: {recording.atom_count} atoms, {len(recording.bars)} bars, "
+        f"{len(recording)} frames - {state}"
     )
 
 

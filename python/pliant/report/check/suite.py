@@ -11,7 +11,7 @@ import numpy as np
 from pliant._core import InputError
 from pliant.base.checked import ABOVE_0, POSITIVES, SEED, checked, whole
 from pliant.base.console import note, progress
-from pliant.base.extras import need
+from pliant.base.extras import late, need
 from pliant.checks import contest as side_by_side
 from pliant.checks import ours, theirs
 from pliant.checks.check_energy import check_energy, energy_job
@@ -25,7 +25,11 @@ from pliant.checks.openmm.child import TIME_LIMIT, Outcome, run_jobs
 from pliant.checks.sample import Sample, take_sample
 from pliant.measure import bars as _bars
 from pliant.report.check.check_report import CheckReport
-from pliant.trajectory.recording import Recording, read_recording
+from pliant.trajectory.h5md import FramesOfH5md
+from pliant.trajectory.kind import ENSEMBLE
+from pliant.trajectory.opened import one_file
+
+pictures = late("pliant.report.check.pictures")
 
 FRAMES = 20
 ENERGY_DISPLACEMENT = 0.1  #: Angstrom; of the copies whose energies are compared
@@ -120,10 +124,10 @@ def check(
     need("pliant.check", "openmm")
     if picture is not None:
         need("a picture of pliant.check", "matplotlib")
-    recording = read_recording(path)
-    if recording.joints_of_whole is not None:
+    recording = one_file(path)
+    if recording.joints_of_whole:
         raise InputError(
-            f"{path}: holds {recording.joint_count} of the molecule's {recording.joints_of_whole} "
+            f"{path}: holds {recording.atom_count} of the molecule's {recording.joints_of_whole} "
             "atoms (--save): a check by a force field needs all of them"
         )
     with progress("measuring frames", quiet) as show:
@@ -141,21 +145,19 @@ def check(
         total_limit,
     )
     if force_field is None and start is None:
-        if recording.is_ensemble:
+        if recording.kind == ENSEMBLE:
             _minimise_where_it_applies(report, wanted, quiet)
     elif force_field is not False:
         _minimise(report, wanted, quiet)
     if picture is not None:
-        from pliant.report.check.pictures import draw
-
         report.picture = os.fspath(picture)
-        draw(report, report.picture)
+        pictures.draw(report, report.picture)
     return report
 
 
 def _minimise_where_it_applies(report: CheckReport, wanted: Wanted, quiet: bool) -> None:
     """Leaves the force field out, and says why, of what it is not for."""
-    why = why_not_file(report.recording.path)
+    why = why_not_file(report.recording.name)
     if why:
         report.findings += skipped(why)
     else:
@@ -165,13 +167,13 @@ def _minimise_where_it_applies(report: CheckReport, wanted: Wanted, quiet: bool)
 def _minimise(report: CheckReport, wanted: Wanted, quiet: bool) -> None:
     say = (lambda _: None) if quiet else note
     with progress("structures minimised by OpenMM", quiet, lines=True) as show:
-        found = minimise_file(report.recording.path, wanted, show, say)
+        found = minimise_file(report.recording.name, wanted, show, say)
     report.force_field = found
     report.findings += skipped(found.why_not) if found.why_not else findings_of(found)
 
 
 def _ask_openmm(
-    recording: Recording,
+    recording: FramesOfH5md,
     sample: Sample,
     remeasured: Remeasured,
     displacements: Sequence[float],
@@ -194,7 +196,7 @@ def _ask_openmm(
     shaken = _bars.displaced(sample.positions[:MOST_ENERGIES], ENERGY_DISPLACEMENT, seed)
     arena = side_by_side.prepare_contest(sample, displacements, seed + 1)
     resolved = ours.resolved_copies(recording, shaken, arena.tolerance)
-    ways = () if recording.is_ensemble else theirs.ways_for(arena)
+    ways = () if recording.kind == ENSEMBLE else theirs.ways_for(arena)
     jobs = [
         frame_job(shown, broken),
         energy_job(recording, np.concatenate([sample.positions, shaken, resolved])),
@@ -218,7 +220,7 @@ def _hold_contest(
     report.notes += [note for note in (arena.note, theirs.cpu_note(len(ways), outcomes)) if note]
 
 
-def _notes_on(recording: Recording) -> list[str]:
+def _notes_on(recording: FramesOfH5md) -> list[str]:
     notes = []
     pinned = int(recording.pinned.sum())
     if pinned:
@@ -226,7 +228,7 @@ def _notes_on(recording: Recording) -> list[str]:
             f"{pinned} pinned joints are free wherever bars are repaired, by us and by OpenMM, "
             "which refuses a constraint between an atom of mass 0 and another"
         )
-    if recording.is_ensemble:
+    if recording.kind == ENSEMBLE:
         notes.append(
             "frames of an ensemble are drawn, none is a repair of the one before: Pliant and "
             "OpenMM do not race to repair them, which they do for trajectories of pliant run"
@@ -236,6 +238,6 @@ def _notes_on(recording: Recording) -> list[str]:
             "bars made of angles depend on each other: CCMA inverts a matrix that is then "
             "singular, so what OpenMM does with broken frames is shown, but not judged"
         )
-    if recording.single:
+    if recording.is_single:
         notes.append("positions are stored as 32-bit floats: what that changes is allowed for")
     return notes

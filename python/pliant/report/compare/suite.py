@@ -26,7 +26,7 @@ from pliant.measure.compared.ensembles import (
     read_ensembles,
     read_trace,
 )
-from pliant.measure.compared.pairing import choose, open_theirs, open_universe, pair
+from pliant.measure.compared.pairing import choose, open_theirs, pair
 from pliant.measure.compared.reference import read_reference
 from pliant.measure.compared.residue_report import ResidueComparison
 from pliant.measure.compared.residues import LEAST_RESIDUES, compare_residues
@@ -41,7 +41,9 @@ from pliant.report.compare.comparison_report import (
     TorsionComparison,
 )
 from pliant.report.compare.conclusions import conclude
-from pliant.trajectory.recording import Recording, read_recording
+from pliant.trajectory.frames import Frames
+from pliant.trajectory.opened import one_file
+from pliant.trajectory.universe import universe_of
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
@@ -103,8 +105,8 @@ def compare(
     paths = [theirs] if isinstance(theirs, (str, os.PathLike)) else list(theirs)
     if not paths:
         raise InputError("theirs: expected at least one file")
-    recording = read_recording(ours)
-    universe = open_universe(ours)
+    recording = one_file(ours)
+    universe = universe_of(recording)
     asked = (paths, topology, select, frames)
     with Stages("compare", 2 + (pictures is not None)) as on_stage:
         on_stage("residues")
@@ -113,7 +115,7 @@ def compare(
         atoms, notes = _atoms(recording, universe, *asked, residues is None)
         notes += _frames_left_out(recording)
         report = ComparisonReport(
-            recording.path, [os.fspath(path) for path in paths], residues, atoms, notes
+            recording.name, [os.fspath(path) for path in paths], residues, atoms, notes
         )
         if pictures is not None:
             from pliant.report.compare.pictures import draw
@@ -123,8 +125,8 @@ def compare(
     return report
 
 
-def _frames_left_out(recording: Recording) -> list[str]:
-    near, count = len(recording.around_start), recording.frame_count
+def _frames_left_out(recording: Frames) -> list[str]:
+    near, count = len(recording.around_start), len(recording)
     if near == count:
         return []
     return [
@@ -133,7 +135,7 @@ def _frames_left_out(recording: Recording) -> list[str]:
 
 
 def _residues(
-    recording: Recording,
+    recording: Frames,
     universe: Universe,
     paths: Sequence[str | os.PathLike[str]],
     topology: str | os.PathLike[str] | None,
@@ -141,7 +143,7 @@ def _residues(
     frames: int | str,
 ) -> ResidueComparison | None:
     """None where ours has too few residues to match."""
-    chosen = choose(universe, select, recording.path)
+    chosen = choose(universe, select, recording.name)
     trace = trace_of_atoms(chosen)
     if len(trace) < LEAST_RESIDUES:
         return None
@@ -153,7 +155,7 @@ def _residues(
 
 
 def _atoms(
-    recording: Recording,
+    recording: Frames,
     universe: Universe,
     paths: Sequence[str | os.PathLike[str]],
     topology: str | os.PathLike[str] | None,
@@ -168,7 +170,7 @@ def _atoms(
             raise InputError("several files are compared by residues, of which ours has too few")
         theirs, named = open_theirs(paths[0], topology, universe)
         pairing = pair(
-            choose(universe, select, recording.path), choose(theirs, select, paths[0]), named
+            choose(universe, select, recording.name), choose(theirs, select, paths[0]), named
         )
         if len(pairing.ours) < 3:
             raise InputError(f"--select '{select}': expected at least 3 atoms")

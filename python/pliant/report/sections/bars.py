@@ -36,17 +36,11 @@ class Residuals(Measurement):
 
 
 def _measure(analysis: Analysis) -> Iterator[Residuals]:
-    record, stored = analysis.record, analysis.stored
-    if record is None or record.bars is None:
+    source = analysis.source
+    if len(source.bars) == 0:
         raise ValueError("the trajectory holds no bars with rest lengths")
-    measured = BarResiduals(
-        analysis.universe,
-        record.bars,
-        record.rest_lengths,
-        tolerance=record.tolerance,
-        tolerance_length=record.tolerance_length,
-        positions=stored if analysis.held is None else stored.renumbered(analysis.frames),
-    )
+    numbers = None if analysis.held is None else analysis.frames
+    measured = BarResiduals(analysis.universe, frames=source, numbers=numbers)
     within, converged = analysis.run(measured).within, analysis.converged
     notes, cautions = [], []
     if measured.precision == "float32" and measured.tolerance < 1e-5:

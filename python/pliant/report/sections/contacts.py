@@ -141,7 +141,7 @@ CONTACTS = Measured(
 
 def _held(analysis: Analysis) -> Columns:
     """One row per contact of the model: in what share of the frames it is held, broken, off."""
-    contacts = analysis.record.contacts if analysis.record else None
+    contacts = analysis.source.contacts
     if contacts is None or contacts.states is None or len(contacts.states) <= max(analysis.frames):
         return {}
     names = atom_labels(analysis.universe.atoms)

@@ -136,7 +136,7 @@ def _amplitude(analysis: Analysis) -> Verdict | None:
 
 
 def _asked(analysis: Analysis) -> float | None:
-    return asked_amplitude(analysis.record.parameters if analysis.record else {})
+    return asked_amplitude(analysis.source.parameters)
 
 
 def _mean(analysis: Analysis) -> str:

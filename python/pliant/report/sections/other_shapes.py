@@ -81,7 +81,7 @@ def turns_text(analysis: Analysis, shape: Shape) -> str:
 
 def _contacts_gone(analysis: Analysis, shape: Shape) -> list[str]:
     """Names of the contacts of the start that a shape lacks."""
-    contacts = analysis.record.contacts if analysis.record else None
+    contacts = analysis.source.contacts
     if contacts is None or shape.gone is None:
         return []
     labels, owners = residue_labels(analysis.universe.residues), analysis.universe.atoms.resindices

@@ -125,7 +125,7 @@ def _verdict(analysis: Analysis) -> Verdict:
     failed = [f"{row.name} ({row.found})" for row in rows if not row.passed]
     if failed:
         return Verdict("bad", f"Stereochemistry is broken: {', '.join(failed)}.", details)
-    some = " of the recorded atoms" if analysis.stored.joints_of_whole else ""
+    some = " of the recorded atoms" if analysis.source.joints_of_whole else ""
     return Verdict("good", f"Stereochemistry{some} is intact.", details, "stereochemistry")
 
 

@@ -39,11 +39,11 @@ class Torsions(Measurement):
 
 def _measure(analysis: Analysis) -> Iterator[Torsions]:
     """Of bars, where the file has no bonds."""
-    record, bonds = analysis.record, None
+    source, bonds = analysis.source, None
     if not hasattr(analysis.universe, "bonds"):
-        if analysis.stored.joints_of_whole:
+        if source.joints_of_whole:
             raise ValueError("there are no bonds among the recorded atoms")
-        bonds = record.bars if record else None
+        bonds = source.bars if len(source.bars) else None
     measured = TorsionDistributions(analysis.atoms, bonds=bonds, heavy_only=True)
     if not measured.torsions:
         raise ValueError("no bond is rotatable: each is in a ring or at an end of the molecule")

@@ -19,7 +19,11 @@ from typing import Any, NoReturn
 import h5py
 import numpy as np
 
-from pliant.trajectory import hdf5 as _hdf5
+with contextlib.suppress(ModuleNotFoundError):  # of Windows, which cannot fork either
+    import resource
+
+from pliant.trajectory.recover.reading import item, text
+from pliant.trajectory.recover.reading import read as read_values
 
 #: Seconds of the processor for one piece.
 MOST_SECONDS = 20
@@ -96,8 +100,6 @@ def _messages(pipe: Any) -> Iterator[tuple[str, bool, Any]]:
 
 
 def _send(path: str, pieces: Sequence[tuple[str, Piece]], pipe: int) -> NoReturn:
-    import resource
-
     try:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
@@ -126,10 +128,11 @@ def dataset(path: str) -> Piece:
     """A piece: the values of a dataset, and its attributes that are text or numbers."""
 
     def read(file: h5py.File) -> StoredValues | None:
-        found = _hdf5.item(file, path)
+        found = item(file, path)
         if not isinstance(found, h5py.Dataset):
             return None
-        return StoredValues(_hdf5.read(found), _attributes(found))
+        unit = text(found, "unit")
+        return StoredValues(read_values(found), {"unit": unit} if unit else {})
 
     return read
 
@@ -138,21 +141,12 @@ def rows(path: str, first: int, last: int) -> Piece:
     """A piece: some rows of a dataset, all of which are stored and finite."""
 
     def read(file: h5py.File) -> np.ndarray:
-        found = _hdf5.item(file, path)
+        found = item(file, path)
         if not isinstance(found, h5py.Dataset):
             raise ValueError("is not there")
-        values: np.ndarray = _hdf5.read(found, slice(first, last))
+        values: np.ndarray = read_values(found, slice(first, last))
         if len(values) != last - first or not np.isfinite(values).all():
             raise ValueError("has coordinates that are not finite")
         return values
 
     return read
-
-
-def _attributes(found: h5py.Dataset) -> dict[str, Any]:
-    kept = {}
-    for name in ("unit",):
-        value = _hdf5.plain(_hdf5.attribute(found, name))
-        if value is not None:
-            kept[name] = value
-    return kept

@@ -12,12 +12,11 @@ from typing import Any
 import h5py
 import numpy as np
 
-from pliant._core import FileError, InputError, OptionError, check_hdf5_structure
+from pliant._core import FileError, InputError, OptionError, check_hdf5
 from pliant.base.checked import checked
 from pliant.base.new_file import NewFile, new_file
-from pliant.trajectory import hdf5 as _hdf5
-from pliant.trajectory.hdf5.expansion import check_stored
 from pliant.trajectory.recover.pieces import Salvage, StoredValues, dataset, rows, salvage
+from pliant.trajectory.recover.reading import check_stored, item, names_in, plain, scalars, text
 from pliant.trajectory.recover.recovered_file import (
     CONTACT_STATES,
     POSITION,
@@ -106,7 +105,7 @@ def recover(
         if recovery.frames == 0:
             why = "; ".join(f"{what}: {reason}" for what, reason in recovery.lost.items())
             raise InputError(f"{broken}: no frame can be read{': ' + why if why else ''}")
-        check_hdf5_structure(file.path)
+        check_hdf5(file.path)
     return recovery
 
 
@@ -144,13 +143,13 @@ def _rebuild(broken: str, good: NewFile, recovery: Recovery) -> None:
 
 
 def _shape(file: h5py.File) -> tuple[tuple[int, ...], dict[str, str]]:
-    value = _hdf5.item(file, f"{POSITION}/value")
-    if not _hdf5.is_array(value, "f", (None, None, 3)):
+    value = item(file, f"{POSITION}/value")
+    if not isinstance(value, h5py.Dataset) or value.dtype.kind != "f" or value.ndim != 3:
         raise ValueError("no positions (F, N, 3)")
     check_stored(value, 3 * value.shape[1])
     return tuple(value.shape), {
-        "value": _hdf5.text(value, "unit") or "Angstrom",
-        "time": _hdf5.text(_hdf5.item(file, f"{POSITION}/time"), "unit") or "ps",
+        "value": text(value, "unit") or "Angstrom",
+        "time": text(item(file, f"{POSITION}/time"), "unit") or "ps",
     }
 
 
@@ -220,16 +219,15 @@ def _read_observables(path: str, count: int, recovery: Recovery) -> dict[str, St
 
 
 def _names(file: h5py.File) -> list[str]:
-    group = _hdf5.item(file, "observables")
-    return _hdf5.names_in(group) if isinstance(group, h5py.Group) else []
+    return names_in(item(file, "observables"))
 
 
 def _parameters(file: h5py.File) -> dict[str, Any]:
-    return dict(_hdf5.scalars(_hdf5.item(file, "parameters")))
+    return dict(scalars(item(file, "parameters")))
 
 
 def _creator(file: h5py.File) -> dict[str, Any]:
-    creator = _hdf5.item(file, "h5md/creator")
-    schema = None if creator is None else _hdf5.plain(_hdf5.attribute(creator, "schema"))
-    names = {name: _hdf5.text(creator, name) for name in ("name", "version")}
+    creator = item(file, "h5md/creator")
+    schema = None if creator is None else plain(creator.attrs.get("schema"))
+    names = {name: text(creator, name) for name in ("name", "version")}
     return names | ({"schema": schema} if isinstance(schema, int) else {})

@@ -10,18 +10,19 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 
-from pliant._core import Error, InputError
+from pliant._core import Error, FileError, InputError
 from pliant.base.input_files import file_digest
-from pliant.trajectory import hdf5 as _hdf5
+from pliant.trajectory.h5md import FramesOfH5md
 from pliant.trajectory.shards.plan import EnsemblePlan, Shard
-
-POSITION = "particles/trajectory/position"
 
 #: What to do about a shard that is gone or damaged.
 REMAKE = "the same pliant ensemble command makes it again"
+
+#: Shards that were found to be those of their manifest, as they were then, by this process:
+#: path -> device, number, size, time, SHA-256.
+_good: dict[Path, tuple[int | str, ...]] = {}
 
 
 @dataclass
@@ -43,21 +44,42 @@ class ShardRecord:
         return asdict(self)
 
 
+def counted_shard(plan: EnsemblePlan, record: ShardRecord | None, path: Path) -> FramesOfH5md:
+    """The frames of a shard, every byte of which is read first, where there is a record of it to
+    check it by: once as long as the file stays as it is.
+
+    Raises FileError where it is gone or cannot be read, InputError unless it is what the manifest
+    counts.
+    """
+    try:
+        status = path.stat()
+    except FileNotFoundError:
+        raise FileError(f"{path}: is gone: {REMAKE}") from None
+    if record is None:
+        return FramesOfH5md(path)
+    state = (status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, record.sha256)
+    try:
+        if _good.get(path) != state:
+            check_shard(plan, plan.shard(record.shard), record, path)
+            _good[path] = state
+    except InputError as error:
+        raise InputError(f"{error}; {REMAKE}") from None
+    return FramesOfH5md(path)
+
+
 def inspect_shard(plan: EnsemblePlan, shard: Shard, path: Path) -> ShardRecord:
     """The record of a complete shard. Raises InputError saying what is wrong with the file."""
     return _record(plan, shard, path, file_digest(path))
 
 
 def _record(plan: EnsemblePlan, shard: Shard, path: Path, digest: str) -> ShardRecord:
-    with _hdf5.open_file(path) as file:
-        _check_header(file, plan)
-        numbers = _frame_numbers(file, plan)
-        left_out = _check_numbers(path, plan, shard, *numbers)
-        frames = len(numbers[0])
-        unconverged = _unconverged(file, frames)
+    frames = FramesOfH5md(path)
+    _check_seed(frames, plan)
+    left_out = _check_numbers(frames, plan, shard)
+    unconverged = int(np.count_nonzero(~_column(frames, "converged").astype(bool)))
     which = (shard.number, shard.first, shard.last, shard.name)
     size = path.stat().st_size
-    return ShardRecord(*which, frames, left_out, unconverged, size, digest)
+    return ShardRecord(*which, len(frames), left_out, unconverged, size, digest)
 
 
 def check_shard(
@@ -80,41 +102,33 @@ def check_shard(
     return found
 
 
-def _check_header(file: h5py.File, plan: EnsemblePlan) -> None:
+def _check_seed(frames: FramesOfH5md, plan: EnsemblePlan) -> None:
     """Raises InputError where the file says that it was made with another seed."""
-    found = _hdf5.item(file, f"parameters/{plan.command}/seed")
-    seed = _hdf5.plain(_hdf5.read(found)) if _hdf5.is_array(found, "OS", ()) else None
+    seed = frames.parameters.get(f"{plan.command}/seed")
     if isinstance(seed, str) and seed.isdecimal() and int(seed) != plan.seed:
-        raise InputError(f"{file.filename}: expected --seed {plan.seed}, found {seed}")
+        raise InputError(f"{frames.path}: expected --seed {plan.seed}, found {seed}")
 
 
-def _frame_numbers(file: h5py.File, plan: EnsemblePlan) -> tuple[np.ndarray, np.ndarray]:
-    """Walker and step of each frame; each frame of a sample stands for itself."""
-    value = _hdf5.item(file, f"{POSITION}/value")
-    steps = _integers(file, f"{POSITION}/step")
-    if not isinstance(value, h5py.Dataset) or len(value) != len(steps):
-        raise InputError(f"{file.filename}: expected as many positions as steps")
-    if plan.command == "sample":
-        return steps, np.zeros_like(steps)
-    walkers = _integers(file, "observables/walker/value")
-    if len(walkers) != len(steps):
-        raise InputError(f"{file.filename}: expected as many walkers as steps")
-    return walkers, steps
+def _column(frames: FramesOfH5md, name: str) -> np.ndarray:
+    found = frames.observables.get(name)
+    if found is None:
+        raise InputError(f"{frames.path}: /observables/{name}: expected one value a frame")
+    return found
 
 
-def _integers(file: h5py.File, path: str) -> np.ndarray:
-    found = _hdf5.item(file, path)
-    if not _hdf5.is_array(found, "iu", (None,)):
-        raise InputError(f"{file.filename}: /{path}: expected whole numbers")
-    return np.asarray(_hdf5.read(found), dtype=np.int64)
+def walkers_of(frames: FramesOfH5md, plan: EnsemblePlan) -> np.ndarray:
+    """(F,) whose frames they are; each frame of a sample is its own walker."""
+    return frames.steps if plan.command == "sample" else _column(frames, "walker")
 
 
-def _check_numbers(
-    path: Path, plan: EnsemblePlan, shard: Shard, walkers: np.ndarray, steps: np.ndarray
-) -> int:
+def _check_numbers(frames: FramesOfH5md, plan: EnsemblePlan, shard: Shard) -> int:
     """Raises InputError unless all are there, in order and once; returns frames left out."""
-    order = np.lexsort((steps, walkers))
+    path, walkers = frames.path, walkers_of(frames, plan)
+    if frames.frames_left_out:
+        raise InputError(f"{path}: expected as many positions as steps")
+    steps = np.zeros_like(walkers) if plan.command == "sample" else frames.steps
     pairs = np.stack([walkers, steps])
+    order = np.lexsort((steps, walkers))
     if not (order == np.arange(len(order))).all() or (np.diff(pairs) == 0).all(axis=0).any():
         raise InputError(f"{path}: expected each frame once, in order")
     there = np.unique(walkers)
@@ -129,10 +143,3 @@ def _check_numbers(
     if plan.command == "run" and len(set(np.bincount(walkers - shard.first))) > 1:
         raise InputError(f"{path}: expected as many frames of each walker")
     return missing
-
-
-def _unconverged(file: h5py.File, frames: int) -> int:
-    converged = _hdf5.item(file, "observables/converged/value")
-    if not isinstance(converged, h5py.Dataset) or converged.shape != (frames,):
-        raise InputError(f"{file.filename}: /observables/converged: expected one value a frame")
-    return int(frames - np.count_nonzero(_hdf5.read(converged)))

@@ -3,25 +3,20 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from pliant import _core
-from pliant._core import FileError, InputError, OptionError
-from pliant.base.input_files import file_digest, json_object, open_file
-from pliant.trajectory.shards.options import Options, files_among, flag_of, text_of
+from pliant._core import FileError, InputError
+from pliant.base.input_files import json_object, open_file
 
 PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by this name
 SHARDS = "shards"  #: folder of the shards
-MAKING = "making"  #: folder of what is being made: logs of commits, and shards without a name
-LOG = ".commits"  #: how the name of a log of commits ends
-_EMPTY_LOG = 16  #: bytes of one without commits
-_FORMAT = 2
+FORMAT = 2
 _MOST_BYTES = 1 << 24  #: of a plan
 MOST = 10**9  #: walkers or frames
 
@@ -58,7 +53,7 @@ class EnsemblePlan:
     input: str  #: absolute path
     count: int  #: walkers of a run, frames of a sample
     shard_size: int
-    options: Options = field(default_factory=dict)
+    options: dict[str, Any] = field(default_factory=dict)
     digests: dict[str, str] = field(default_factory=dict)  #: SHA-256 of "input" and option's files
     version: str = ""  #: of Pliant
 
@@ -105,32 +100,14 @@ class EnsemblePlan:
         return {"task": self.command, "input": self.input, **self.options, **own}
 
 
-def make_plan(
-    command: str, input_file: str, count: int, shard_size: int | None, options: Options
-) -> EnsemblePlan:
-    """A plan with the digests of all files that it names. Raises FileError if one is not there."""
-    digests = {"input": file_digest(input_file)}
-    for name in files_among(command, options):
-        digests[name] = file_digest(options[name])
-        options[name] = os.path.abspath(options[name])
-    size = shard_size or USUAL_SHARD[command]
-    path = os.path.abspath(input_file)
-    return EnsemblePlan(command, path, count, size, options, digests, _core.version())
-
-
 def is_ensemble(path: str | os.PathLike[str]) -> bool:
     """Whether a path is the folder of an ensemble, or the plan in it."""
     return Path(path, PLAN).exists() or Path(path).suffix == Path(PLAN).suffix
 
 
-def refuse_ensemble(path: str | os.PathLike[str]) -> None:
-    """Raises InputError that says what to give instead, where one trajectory is wanted."""
-    if is_ensemble(path):
-        shards = (Path(path) if Path(path).is_dir() else Path(path).parent) / SHARDS
-        raise InputError(
-            f"{os.fspath(path)}: is an ensemble: give one of its shards ({shards}/...), or open it "
-            "with MDAnalysis"
-        )
+def folder_of(path: str | os.PathLike[str]) -> Path:
+    """The folder of an ensemble, of which `path` is this folder or the plan in it."""
+    return Path(path) if Path(path).is_dir() else Path(path).parent
 
 
 def load_plan(folder: str | os.PathLike[str]) -> EnsemblePlan:
@@ -139,8 +116,8 @@ def load_plan(folder: str | os.PathLike[str]) -> EnsemblePlan:
     try:
         with open(path, "rb", opener=open_file) as file:
             found = json_object(file.read(_MOST_BYTES))
-        if (version := found.pop("pliant_ensemble")) != _FORMAT:
-            raise ValueError(f"expected version {_FORMAT} of the format, found {version!r:.40}")
+        if (version := found.pop("pliant_ensemble")) != FORMAT:
+            raise ValueError(f"expected version {FORMAT} of the format, found {version!r:.40}")
         plan = EnsemblePlan(**found)
         _check_values(plan)
         return plan
@@ -164,47 +141,6 @@ def _check_values(plan: EnsemblePlan) -> None:
             )
 
 
-def settled(folder: Path, plan: EnsemblePlan, asked_size: int | None) -> EnsemblePlan | None:
-    """The plan of the folder, if there is one and it is that plan; None if there is none yet.
-
-    A plan binds from the moment that it is written: jobs of a queue may be waiting to make its
-    shards. Raises OptionError naming what differs.
-    """
-    if not (folder / PLAN).exists():
-        if has_shards(folder):
-            raise FileError(f"{folder}: holds shards but no {PLAN}: give another folder")
-        return None
-    there = load_plan(folder)
-    if asked_size is None:
-        plan.shard_size = there.shard_size
-    _expect_same(folder, there, plan)
-    return there
-
-
-def write_plan(folder: Path, plan: EnsemblePlan) -> None:
-    """Writes the plan to its folder. Raises FileError."""
-    text = json.dumps({"pliant_ensemble": _FORMAT, **asdict(plan)}, indent=1) + "\n"
-    (folder / SHARDS).mkdir(exist_ok=True)
-    write_whole(folder / PLAN, text)
-
-
-def withdraw(folder: Path) -> None:
-    """Removes a plan that came to nothing: it binds nobody."""
-    if not has_begun(folder):
-        (folder / PLAN).unlink(missing_ok=True)
-
-
-def has_shards(folder: Path) -> bool:
-    """Whether some shard is there."""
-    return any((folder / SHARDS).glob("shard-*"))
-
-
-def has_begun(folder: Path) -> bool:
-    """Whether some shard is there, or a part of one."""
-    logs = (folder / MAKING).glob(f"*{LOG}")
-    return has_shards(folder) or any(log.stat().st_size > _EMPTY_LOG for log in logs)
-
-
 def strangers(folder: Path, plan: EnsemblePlan) -> list[Path]:
     """Files among the shards that the plan does not have: their frames would be there twice."""
     found = (folder / SHARDS).glob("[!.]*")  # file systems keep names with a dot for themselves
@@ -225,42 +161,3 @@ def shard_named(name: str, plan: EnsemblePlan) -> Shard | None:
         return None
     shard = plan.shard(int(found[1]) // plan.shard_size)
     return shard if Path(shard.name).name == name else None
-
-
-def write_whole(path: Path, text: str) -> None:
-    """Writes a file that is there with all its text, or not at all. Raises FileError."""
-    partial = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        with open(partial, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        partial.replace(path)
-    except OSError as error:
-        raise FileError(f"{path}: {error.strerror}") from None
-
-
-def _expect_same(folder: Path, there: EnsemblePlan, asked: EnsemblePlan) -> None:
-    rows = [
-        ("pliant", there.version, asked.version),
-        ("the command", f"pliant {there.command}", f"pliant {asked.command}"),
-        (f"--{asked.what}", str(there.count), str(asked.count)),
-        ("--shard-size", str(there.shard_size), str(asked.shard_size)),
-    ]
-    for name, one, other in rows:
-        if one != other:
-            raise _differs(folder, name, one, other)
-    for name in [*there.options, *asked.options]:
-        one, other = (text_of(name, plan.options) for plan in (there, asked))
-        if one != other:
-            raise _differs(folder, flag_of(name), one, other)
-    for name, digest in there.digests.items():
-        if asked.digests.get(name) != digest:
-            file = f"input {there.input}" if name == "input" else text_of(name, there.options)
-            raise OptionError(f"{folder}: was begun when {file} had other contents")
-
-
-def _differs(folder: Path, name: str, one: str, other: str) -> OptionError:
-    anew = "" if has_shards(folder) else "; no shard is made yet: remove the folder to begin anew"
-    text = f"was begun with another {name}: expected {one}, found {other}"
-    return OptionError(f"{folder}: {text}{anew}")

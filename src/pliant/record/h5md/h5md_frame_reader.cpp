@@ -7,6 +7,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/framework/framework.hpp"
+#include "pliant/record/h5md/h5md_static.hpp"
 
 namespace pliant {
 namespace {
@@ -38,6 +39,10 @@ std::string list_of(const std::vector<std::string>& names) {
   for (const std::string& name : names)
     text.append(text.empty() ? "" : ", ").append(pliant::quoted(name));
   return text.empty() ? "none" : text;
+}
+
+bool is_number_a_frame(const Hdf5Dataset& dataset) {
+  return dataset.extents().size() == 1 && dataset.value_class() < ValueClass::text;
 }
 
 std::string choose_group(std::int64_t file, const std::string& asked) {
@@ -76,6 +81,17 @@ T Counter::at(std::int64_t frame) const {
   T value{};
   dataset_->read_rows(static_cast<std::uint64_t>(frame), 1, std::span(&value, 1));
   return value;
+}
+
+template <class T>
+std::vector<T> Counter::all(std::int64_t frames) const {
+  std::vector<T> values(static_cast<std::size_t>(frames));
+  if (is_explicit()) {
+    dataset_->read_rows(0, values.size(), values);
+  } else {
+    for (std::int64_t k = 0; k < frames; ++k) values[static_cast<std::size_t>(k)] = at<T>(k);
+  }
+  return values;
 }
 
 FrameReader::FrameReader(std::int64_t file, const std::string& asked, const std::string& file_name,
@@ -184,6 +200,26 @@ void FrameReader::read_positions(std::int64_t frame, std::span<Vec3> positions) 
   }
 }
 
+std::vector<Vec3> FrameReader::block(std::int64_t first, std::int64_t count) const {
+  if (count == 0) return {};
+  check_frame(first);
+  check_frame(first + count - 1);
+  const auto frames = static_cast<std::uint64_t>(count);
+  value_->check_plausible(3 * joint_count_ * frames);
+  std::vector<Vec3> positions(joint_count_ * frames);
+  if (positions.empty()) return positions;
+  value_->read_rows(static_cast<std::uint64_t>(first), frames,
+                    std::span(&positions[0].x, 3 * positions.size()));
+  if (length_factor_ != 1.0)
+    for (Vec3& position : positions) position *= length_factor_;
+  return positions;
+}
+
+double FrameReader::rounded_to() const {
+  const double unit = number_attribute(value_->id(), h5md::rounded_to).value_or(0.0);
+  return unit > 0.0 && unit < 1.0 ? unit * length_factor_ : 0.0;
+}
+
 std::int64_t FrameReader::step(std::int64_t frame) const {
   check_frame(frame);
   return step_->at<std::int64_t>(frame);
@@ -195,23 +231,68 @@ double FrameReader::time(std::int64_t frame) const {
   return time_->at<double>(frame) * time_factor_;
 }
 
+std::vector<std::int64_t> FrameReader::steps() const { return step_->all<std::int64_t>(frames_); }
+
+std::vector<double> FrameReader::times() const {
+  if (!has_time()) return {};
+  std::vector<double> times = time_->all<double>(frames_);
+  for (double& time : times) time *= time_factor_;
+  return times;
+}
+
 std::vector<std::string> FrameReader::observables() const {
   constexpr std::string_view ending = "/value";
   std::vector<std::string> names;
   for (const std::string& path : datasets_below(file_, "/observables")) {
     if (!path.ends_with(ending)) continue;
-    const Hdf5Dataset dataset(file_, "/observables/" + path);
-    if (dataset.extents().size() == 1 && dataset.value_class() < ValueClass::text)
+    if (is_number_a_frame({file_, "/observables/" + path}))
       names.push_back(path.substr(0, path.size() - ending.size()));
   }
   return names;
 }
 
+Hdf5Dataset FrameReader::open_observable(const std::string& name) const {
+  const std::string path = "/observables/" + name + "/value";
+  if (has_object(file_, path)) {
+    Hdf5Dataset found(file_, path);
+    if (is_number_a_frame(found)) return found;
+  }
+  throw InputError("no observable " + pliant::quoted(name) +
+                   "; there are: " + list_of(observables()));
+}
+
+SeriesKind FrameReader::kind_of(const std::string& observable) const {
+  switch (open_observable(observable).value_class()) {
+    case ValueClass::real:
+      return SeriesKind::real;
+    case ValueClass::truth:
+      return SeriesKind::truth;
+    default:
+      return SeriesKind::whole;
+  }
+}
+
+std::vector<std::uint8_t> FrameReader::contact_states() const {
+  const std::string path = std::string(h5md::contact_states) + "/value";
+  if (!has_object(file_, path)) return {};
+  const Hdf5Dataset dataset(file_, path);
+  if (dataset.extents().size() != 2)
+    throw InputError(path + " has shape " + dataset.shape() + "; expected (frames, contacts)");
+  constexpr std::uint64_t at_once = 256;
+  const auto frames = std::min(dataset.extents()[0], static_cast<std::uint64_t>(frames_));
+  dataset.check_plausible(frames * dataset.extents()[1]);
+  std::vector<std::uint8_t> states;
+  for (std::uint64_t first = 0; first < frames; first += at_once) {
+    const std::uint64_t count = std::min(frames - first, at_once);
+    std::vector<std::int64_t> rows(count * dataset.extents()[1]);
+    dataset.read_rows(first, count, rows);
+    states.insert(states.end(), rows.begin(), rows.end());
+  }
+  return states;
+}
+
 std::vector<double> FrameReader::observable(const std::string& name) const {
-  const std::vector<std::string> names = observables();
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    throw InputError("no observable " + pliant::quoted(name) + "; there are: " + list_of(names));
-  const Hdf5Dataset dataset(file_, "/observables/" + name + "/value");
+  const Hdf5Dataset dataset = open_observable(name);
   const auto count = std::min(dataset.extents()[0], static_cast<std::uint64_t>(frames_));
   dataset.check_plausible(count);
   std::vector<double> values(count);

@@ -10,6 +10,7 @@
 
 #include "pliant/base/log.hpp"
 #include "pliant/base/vec3.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/hdf5/hdf5_dataset.hpp"
 #include "pliant/record/hdf5/hdf5_read.hpp"
 
@@ -29,6 +30,8 @@ class Counter {
   /// T is double or std::int64_t.
   template <class T>
   T at(std::int64_t frame) const;
+  template <class T>
+  std::vector<T> all(std::int64_t frames) const;
 
  private:
   std::optional<Hdf5Dataset> dataset_;
@@ -51,10 +54,16 @@ class FrameReader {
 
   std::vector<Vec3> positions(std::int64_t frame) const;
   void read_positions(std::int64_t frame, std::span<Vec3> positions) const;
+  std::vector<Vec3> block(std::int64_t first, std::int64_t count) const;
+  double rounded_to() const;
   std::int64_t step(std::int64_t frame) const;
   double time(std::int64_t frame) const;
+  std::vector<std::int64_t> steps() const;
+  std::vector<double> times() const;
   std::vector<std::string> observables() const;
   std::vector<double> observable(const std::string& name) const;
+  SeriesKind kind_of(const std::string& observable) const;
+  std::vector<std::uint8_t> contact_states() const;
 
  private:
   void open_positions();
@@ -62,6 +71,7 @@ class FrameReader {
   void count_frames();
   void check_steps() const;
   void check_frame(std::int64_t frame) const;
+  Hdf5Dataset open_observable(const std::string& name) const;
 
   std::int64_t file_;
   std::string file_name_;

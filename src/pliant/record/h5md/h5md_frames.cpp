@@ -122,12 +122,10 @@ Series make_series(std::int64_t file, const std::string& path, NumberKind kind) 
   return {file, path, kind == integer || kind == real ? little_endian : std::int64_t{type}, type};
 }
 
-constexpr char rounded_to[] = "rounded_to";  // attribute of positions
-
 /// 0 where positions are as they were.
 double recorded_unit(std::int64_t file, const std::string& path) {
   const Hid dataset = owned(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
-  return number_attribute(dataset, rounded_to).value_or(0.0);
+  return number_attribute(dataset, h5md::rounded_to).value_or(0.0);
 }
 
 // A chunk of positions holds one frame, which is what readers ask for. Small frames share one:
@@ -208,7 +206,7 @@ void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count) {
   positions_.push_back(make_series(file, group + "/time", real));
   positions_.push_back(make_series(file, group + "/step", integer));
   write_text_attribute(positions_[0].dataset(), "unit", "Angstrom");
-  if (unit_ > 0.0) write_real_attribute(positions_[0].dataset(), rounded_to, unit_);
+  if (unit_ > 0.0) write_real_attribute(positions_[0].dataset(), h5md::rounded_to, unit_);
   write_text_attribute(positions_[1].dataset(), "unit", "ps");
 }
 

@@ -84,6 +84,14 @@ void H5mdReader::read_positions(std::int64_t frame, std::span<Vec3> positions) c
   file_->guarded([&] { file_->frames().read_positions(frame, positions); });
 }
 
+std::vector<Vec3> H5mdReader::block(std::int64_t first, std::int64_t count) const {
+  return file_->guarded([&] { return file_->frames().block(first, count); });
+}
+
+double H5mdReader::rounded_to() const {
+  return file_->guarded([&] { return file_->frames().rounded_to(); });
+}
+
 std::int64_t H5mdReader::step(std::int64_t frame) const {
   return file_->guarded([&] { return file_->frames().step(frame); });
 }
@@ -92,12 +100,28 @@ double H5mdReader::time(std::int64_t frame) const {
   return file_->guarded([&] { return file_->frames().time(frame); });
 }
 
+std::vector<std::int64_t> H5mdReader::steps() const {
+  return file_->guarded([&] { return file_->frames().steps(); });
+}
+
+std::vector<double> H5mdReader::times() const {
+  return file_->guarded([&] { return file_->frames().times(); });
+}
+
 std::vector<std::string> H5mdReader::observables() const {
   return file_->guarded([&] { return file_->frames().observables(); });
 }
 
 std::vector<double> H5mdReader::observable(const std::string& name) const {
   return file_->guarded([&] { return file_->frames().observable(name); });
+}
+
+SeriesKind H5mdReader::kind_of(const std::string& observable) const {
+  return file_->guarded([&] { return file_->frames().kind_of(observable); });
+}
+
+std::vector<std::uint8_t> H5mdReader::contact_states() const {
+  return file_->guarded([&] { return file_->frames().contact_states(); });
 }
 
 std::shared_ptr<const AtomTable> H5mdReader::atoms() const {
@@ -118,6 +142,10 @@ std::vector<double> H5mdReader::masses() const {
 
 std::vector<Joint> H5mdReader::pinned() const {
   return file_->guarded([&] { return file_->fixed().pinned(); });
+}
+
+std::size_t H5mdReader::joints_of_whole() const {
+  return file_->guarded([&] { return file_->fixed().joints_of_whole(); });
 }
 
 std::vector<Limit> H5mdReader::limits() const {

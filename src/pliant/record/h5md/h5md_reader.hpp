@@ -17,6 +17,8 @@
 
 namespace pliant {
 
+enum class SeriesKind { real, whole, truth };
+
 struct H5mdReadOptions {
   std::string group =
       "";        ///< a name below /particles; "": "trajectory", or the first with positions
@@ -51,20 +53,33 @@ class H5mdReader {
   /// Throws InputError naming the first joint whose position is not finite: the frame is damaged.
   std::vector<Vec3> positions(std::int64_t frame) const;
   void read_positions(std::int64_t frame, std::span<Vec3> positions) const;
+  /// Positions of `count` frames from `first` on, one after the other, read at once. Those of a
+  /// damaged frame may not be finite.
+  std::vector<Vec3> block(std::int64_t first, std::int64_t count) const;
+  /// Coordinates are multiples of this, Angstrom; 0: as they were when they were recorded.
+  double rounded_to() const;
   std::int64_t step(std::int64_t frame) const;  ///< number of the frame if there are no steps
   bool has_time() const;
-  double time(std::int64_t frame) const;  ///< ps; throws InputError if there are no times
+  double time(std::int64_t frame) const;    ///< ps; throws InputError if there are no times
+  std::vector<std::int64_t> steps() const;  ///< of all frames
+  std::vector<double> times() const;        ///< of all frames; empty if there are no times
 
   /// Names of all observables with one number a frame, sorted: "max_residual", "thermo/energy".
   std::vector<std::string> observables() const;
   /// Returns at most frames() values in the file's unit; truth values are 0 and 1.
   std::vector<double> observable(const std::string& name) const;
+  SeriesKind kind_of(const std::string& observable) const;
+  /// Returns what each contact of the model was in each frame, frame after frame: 0 held, 1 broken,
+  /// 2 switched off. Contacts are in the order of each one's first limit; none may be recorded.
+  std::vector<std::uint8_t> contact_states() const;
 
   std::shared_ptr<const AtomTable> atoms() const;  ///< null where the file has no atom table
   std::vector<Bar> bars() const;                   ///< empty where the file has none
   std::vector<double> rest_lengths() const;        ///< (B) Angstrom
   std::vector<double> masses() const;              ///< (N) u; empty where the file has none
   std::vector<Joint> pinned() const;
+  /// Joints of the molecule, of which the file has some; 0: it has all.
+  std::size_t joints_of_whole() const;
   std::vector<Limit> limits() const;  ///< (L); empty where the file has none
   /// Version of our own part of the file: 2, which may have limits; 1 where it says none.
   int schema() const;

@@ -225,7 +225,7 @@ void write_static_part(std::int64_t file, const Framework& framework, const H5md
 void write_saved_joints(std::int64_t file, const std::vector<std::uint32_t>& joints,
                         std::size_t joint_count) {
   const Hid id = write_numbers(file, h5md::id, joints);
-  write_integer_attribute(id, "joints_of_whole", static_cast<int>(joint_count));
+  write_integer_attribute(id, h5md::joints_of_whole, static_cast<int>(joint_count));
 }
 
 }  // namespace pliant

@@ -13,9 +13,11 @@ namespace pliant {
 namespace h5md {
 inline constexpr char trajectory[] = "/particles/trajectory";
 inline constexpr char position[] = "/particles/trajectory/position";
-/// (N) index of each joint in the molecule, if the file has only some joints. The attribute
-/// joints_of_whole is the number of joints in the molecule.
+/// (N) index of each joint in the molecule, if the file has only some joints, with an attribute:
+/// the number of joints in the molecule.
 inline constexpr char id[] = "/particles/trajectory/id";
+inline constexpr char joints_of_whole[] = "joints_of_whole";
+inline constexpr char rounded_to[] = "rounded_to";  // attribute of positions: of their unit
 inline constexpr char observables[] = "/observables";
 inline constexpr char bars[] = "/connectivity/bars";
 inline constexpr char bonds[] = "/connectivity/bonds";

@@ -109,6 +109,14 @@ std::vector<Joint> StaticReader::pinned() const {
   return joints;
 }
 
+std::size_t StaticReader::joints_of_whole() const {
+  const std::string path = "/particles/" + group_ + "/id";
+  if (!has_object(file_, path)) return 0;
+  const double count =
+      number_attribute(open_object(file_, path), h5md::joints_of_whole).value_or(0);
+  return count > 0 ? static_cast<std::size_t>(count) : 0;
+}
+
 bool StaticReader::planar() const {
   const std::string path = framework_group + "/planar";
   return has_object(file_, path) && integers(path, 1, 0, 1)[0] != 0;

@@ -24,6 +24,7 @@ class StaticReader {
   std::vector<double> rest_lengths() const;
   std::vector<double> masses() const;
   std::vector<Joint> pinned() const;
+  std::size_t joints_of_whole() const;
   bool planar() const;  ///< whether the framework is planar
   std::vector<Limit> limits() const;
   std::shared_ptr<const Sterics> sterics() const;  ///< null where the file has none

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "pliant/base/error.hpp"
 #include "pliant/record/hdf5/hdf5_dataset.hpp"
@@ -109,8 +110,16 @@ std::uint64_t Hdf5Dataset::value_count() const {
 }
 
 void Hdf5Dataset::check_plausible(std::uint64_t values) const {
+  refuse(expansion_of(values, values));
+}
+
+void Hdf5Dataset::check_row() const {
+  if (!chunk_.empty() && H5Dget_storage_size(id_) > 0) refuse(expansion_of(0, row_values()));
+}
+
+Expansion Hdf5Dataset::expansion_of(std::uint64_t values, std::uint64_t at_once) const {
   Expansion expansion{.values = times(values, value_bytes_),
-                      .at_once = times(values, value_bytes_),
+                      .at_once = times(at_once, value_bytes_),
                       .chunk = chunk_.empty() ? 0 : value_bytes_,
                       .stored = H5Dget_storage_size(id_),
                       .file_size = file_size()};
@@ -121,7 +130,7 @@ void Hdf5Dataset::check_plausible(std::uint64_t values) const {
     checked(H5Dget_num_chunks(id_, space, &chunks), "count the chunks of " + path_);
     expansion.chunks = chunks;
   }
-  refuse(expansion);
+  return expansion;
 }
 
 void Hdf5Dataset::refuse(const Expansion& expansion) const {
@@ -254,6 +263,20 @@ std::vector<std::string> Hdf5Dataset::value_names() const {
     H5free_memory(name);
   }
   return names;
+}
+
+void check_hdf5(const std::filesystem::path& path) {
+  const Hdf5Session session;
+  const Hid file = open_hdf5(path);
+  for (const std::string& name : datasets_below(file, "/")) {
+    std::optional<Hdf5Dataset> dataset;
+    try {
+      dataset.emplace(file, "/" + name);
+    } catch (const Error&) {
+      continue;
+    }
+    dataset->check_row();
+  }
 }
 
 }  // namespace pliant

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ class Hdf5Dataset {
   /// Throws InputError unless the file can hold `values` values, in proportion to its size: see
   /// expansion.hpp.
   void check_plausible(std::uint64_t values) const;
+  /// The same of its chunks and of one row: another library reads what it likes of them.
+  void check_row() const;
   /// Names of an enumeration type by value, "" for those without; empty for other types.
   std::vector<std::string> value_names() const;
 
@@ -50,6 +53,7 @@ class Hdf5Dataset {
   };
 
   Rows select_rows(std::uint64_t first, std::uint64_t count) const;
+  Expansion expansion_of(std::uint64_t values, std::uint64_t at_once) const;
   void refuse(const Expansion& expansion) const;
   std::uint64_t file_size() const;
   void check_source() const;
@@ -69,5 +73,9 @@ class Hdf5Dataset {
   std::size_t value_bytes_ = 0;
   ValueClass class_ = ValueClass::other;
 };
+
+/// For a file that another library is to read. Throws as open_hdf5, and InputError where a dataset
+/// would take memory out of proportion to the file. What cannot be opened is left to that library.
+void check_hdf5(const std::filesystem::path& path);
 
 }  // namespace pliant

@@ -5,23 +5,22 @@ from __future__ import annotations
 
 import warnings
 from collections import OrderedDict
+from collections.abc import Mapping
+from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from pliant._core import FileError, InputError, PliantWarning
-from pliant.trajectory.shards.inspect_shard import REMAKE, ShardRecord
+from pliant._core import FileError, InputError, PliantWarning, Structure
+from pliant.trajectory.frames import Frames, Positions
+from pliant.trajectory.h5md import FramesOfH5md
+from pliant.trajectory.shards.inspect_shard import REMAKE, ShardRecord, counted_shard
 from pliant.trajectory.shards.manifest import Manifest
-from pliant.trajectory.shards.open_shard import OpenShard, expect_counted
 from pliant.trajectory.shards.plan import NO_SHARD, SHARDS, EnsemblePlan, load_plan, strangers
 
 #: Shards that are open at once: frames are mostly asked for one after another.
 _OPEN = 4
-
-
-def folder_of(path: Path) -> Path:
-    """The folder of an ensemble, of which `path` is this folder or the plan in it."""
-    return path if path.is_dir() else path.parent
 
 
 def _why_empty(folder: Path, plan: EnsemblePlan) -> str:
@@ -30,15 +29,18 @@ def _why_empty(folder: Path, plan: EnsemblePlan) -> str:
     return f"none of its {plan.shard_count} shards is complete yet"
 
 
-class EnsembleFrames:
+class EnsembleFrames(Frames):
     """All frames of the shards that are complete, shard after shard.
 
     A shard is checked when it is first opened: every byte, against the manifest. Raises FileError
-    and InputError if there is no ensemble, or none of its shards.
+    and InputError if there is no ensemble, a shard that was counted is gone, or there is a file
+    among the shards that is none of them.
     """
 
+    path: Path
+
     def __init__(self, folder: Path) -> None:
-        self.folder = folder
+        self.path = folder
         self.plan = load_plan(folder)
         self.records = Manifest(folder, self.plan).in_order()
         if not self.records:
@@ -49,20 +51,17 @@ class EnsembleFrames:
         # Names come from the plan: nothing in the manifest leads to another file.
         self.paths = [folder / self.plan.shard(record.shard).name for record in self.records]
         self.ends = np.cumsum([record.frames for record in self.records])
-        self._open: OrderedDict[int, OpenShard] = OrderedDict()
+        self._open: OrderedDict[int, FramesOfH5md] = OrderedDict()
         #: whether every byte of all shards was found to be as it was counted
         self.are_checked = False
+        self._check_all_there()
 
     def records_to_check(self) -> list[ShardRecord | None]:
         """What to check the file of each shard by; None where that was done."""
         return [None if self.are_checked else record for record in self.records]
 
-    def check_all_there(self) -> None:
-        """Raises FileError naming the first shard that was counted and is gone.
-
-        Raises InputError naming a file among the shards that is none of this ensemble.
-        """
-        for path in strangers(self.folder, self.plan):
+    def _check_all_there(self) -> None:
+        for path in strangers(self.path, self.plan):
             raise InputError(f"{path}: {NO_SHARD}")
         gone = [path for path in self.paths if not path.exists()]
         if gone:
@@ -73,9 +72,39 @@ class EnsembleFrames:
         return int(self.ends[-1])
 
     @property
+    def first_shard(self) -> FramesOfH5md:
+        """Which has what all shards share."""
+        return self._shard(0)
+
+    @cached_property
+    def structure(self) -> Structure:
+        """The atoms and bonds that were recorded."""
+        return self.first_shard.structure
+
+    @property
     def atom_count(self) -> int:
-        """Atoms of each frame."""
-        return self._shard(0).atom_count
+        """Those of each frame."""
+        return self.first_shard.atom_count
+
+    @property
+    def masses(self) -> np.ndarray:
+        """(N,) u."""
+        return self.first_shard.masses
+
+    @property
+    def has_names(self) -> bool:
+        """Of its atoms."""
+        return self.first_shard.has_names
+
+    @property
+    def parameters(self) -> Mapping[str, Any]:
+        """The options, which all shards share."""
+        return self.first_shard.parameters
+
+    @property
+    def has_steps(self) -> bool:
+        """Of walkers, or the numbers of drawn frames."""
+        return True
 
     def locate(self, frame: int) -> tuple[int, int]:
         """The place of a frame's shard among those that are there, and its row in it."""
@@ -84,38 +113,51 @@ class EnsembleFrames:
         place = int(np.searchsorted(self.ends, frame, side="right"))
         return place, int(frame - (self.ends[place - 1] if place else 0))
 
-    def read(self, frame: int, into: np.ndarray) -> dict[str, float | int]:
-        """Puts positions (N, 3) into an array; returns step, time and observables."""
-        self.read_positions(frame, into)
-        return self.numbers(frame)
-
-    def read_positions(self, frame: int, into: np.ndarray) -> None:
-        """Puts positions (N, 3) into an array, and looks at nothing else."""
+    def _found(self, frame: int) -> tuple[FramesOfH5md, int]:
+        """The shard of a frame, and its row in it."""
         place, row = self.locate(frame)
-        self._shard(place).positions(row, into)
+        return self._shard(place), row
+
+    def positions(self, frame: int) -> Positions:
+        """(N, 3) Angstrom."""
+        shard, row = self._found(frame)
+        return shard.positions(row)
+
+    def step(self, frame: int) -> int:
+        """The step of a frame in the run of its walker; of a sample, its number."""
+        shard, row = self._found(frame)
+        return shard.step(row)
+
+    def time(self, frame: int) -> float:
+        """The time of a frame in the run of its walker, ps."""
+        shard, row = self._found(frame)
+        return shard.time(row)
+
+    def walker(self, frame: int) -> int | None:
+        """The walker of a frame; None of a sample."""
+        shard, row = self._found(frame)
+        return shard.walker(row)
 
     def numbers(self, frame: int) -> dict[str, float | int]:
         """Step, time and observables of a frame."""
-        place, row = self.locate(frame)
-        return self._shard(place).numbers(row)
+        shard, row = self._found(frame)
+        return shard.numbers(row)
 
-    def time_between_frames(self) -> float:
-        """Time between frames of the first walker, ps; 0 where it has one frame."""
-        times = [self.numbers(frame)["time"] for frame in range(min(2, int(self.ends[0])))]
-        return max(0.0, times[-1] - times[0])
+    @property
+    def time_between(self) -> float:
+        """Between frames of the first walker, ps; 0 where it has one frame."""
+        return max(0.0, self.first_shard.time_between)
 
     def close(self) -> None:
-        """Closes the shards that are open; reading opens them again."""
-        while self._open:
-            self._open.popitem()[1].close()
+        """Closes the shards that are open."""
+        self._open.clear()
 
-    def _shard(self, place: int) -> OpenShard:
+    def _shard(self, place: int) -> FramesOfH5md:
         if place not in self._open:
             while len(self._open) >= _OPEN:
-                self._open.popitem(last=False)[1].close()
-            if not self.are_checked:
-                expect_counted(self.plan, self.records[place], self.paths[place])
-            self._open[place] = OpenShard(self.paths[place])
+                self._open.popitem(last=False)
+            record = None if self.are_checked else self.records[place]
+            self._open[place] = counted_shard(self.plan, record, self.paths[place])
         self._open.move_to_end(place)
         return self._open[place]
 
