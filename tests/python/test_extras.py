@@ -3,11 +3,10 @@
 
 import json
 import re
-from pathlib import Path
 
 import pytest
 from forked import ended_code
-from real_files import CAFFEINE, ROOT
+from real_files import CAFFEINE, PEPTIDE, ROOT
 
 import pliant
 
@@ -170,8 +169,7 @@ def test_a_check_is_reported_without_rich_and_matplotlib(trajectory, tmp_path):
 
 def test_a_path_needs_none(tmp_path):
     code = "import pliant\npath = pliant.path({0!r}, {0!r})\nprint(path.arrived, len(path.frames))"
-    peptide = Path(__file__).parents[2] / "data/molecules/peptide_20.pdb"
-    ended = run_without(code.format(str(peptide)))
+    ended = run_without(code.format(str(PEPTIDE)))
     assert (ended.stdout, ended.stderr) == ("True 1\n", "")
 
 

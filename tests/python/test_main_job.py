@@ -9,11 +9,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+import real_files
 
 COMMAND = Path(sys.executable).parent / "pliant"
 MOLECULES = sorted(
     path
-    for path in (Path(__file__).parents[2] / "data" / "molecules").iterdir()
+    for path in real_files.MOLECULES.iterdir()
     if path.suffix in {".pdb", ".xyz", ".sdf", ".mol", ".cif"}
 )
 TOLERANCE = 1e-6
