@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 """What is in files as lines: datasets of H5MD files, keys of JSON, words of force files.
 
-``tests/python/record/test_promised_files.py`` compares the committed list with what commands write.
+``tests/python/trajectory/test_promised_files.py`` compares the committed list with what commands write.
 """
 
 from __future__ import annotations
 
 from project import Project
 
-LIST = "tests/python/record/promised_files.ref"
+LIST = "tests/python/trajectory/promised_files.ref"
 
 
 def broken(before: Project, now: Project) -> list[str]:

@@ -9,7 +9,7 @@ from sources import ROOT, files
 
 UNIT = P("tests/unit/resolve/bodies/outward/loop_closure_test.cpp")
 LAW = P("tests/law/limit_law_test.cpp")
-CHECK = P("tests/python/check/test_recording.py")
+CHECK = P("tests/python/checks/test_recording.py")
 
 RANKS = [
     # test, what is in it, what changed, how near
@@ -42,10 +42,10 @@ RANKS = [
     ),
     (CHECK, "from pliant.measure import read_record", "python/pliant/measure/frames.py", near.AFAR),
     (CHECK, "from damaged_h5md import damages", "tests/support/python/damaged_h5md.py", near.USES),
-    (CHECK, "", "python/pliant/check/suite.py", near.FOLDER),
-    (CHECK, "", "tests/python/check/conftest.py", near.AREA),
+    (CHECK, "", "python/pliant/checks/suite.py", near.FOLDER),
+    (CHECK, "", "tests/python/checks/conftest.py", near.AREA),
     (CHECK, "", "python/pliant/base/csv_cells.py", None),
-    (P("tests/python/test_console.py"), "", "python/pliant/base/console.py", near.NAMED),
+    (P("tests/python/base/test_console.py"), "", "python/pliant/base/console.py", near.NAMED),
     (P("tests/python/resolve/test_x.py"), "", "python/bind/resolve/bind_resolve.cpp", near.FOLDER),
     (P("tests/cli/sample/test_sample.py"), "", "apps/commands/cmd_sample.cpp", near.NAMED),
     (P("tests/cli/test_help.py"), "", "apps/commands/cmd_sample.cpp", near.AREA),

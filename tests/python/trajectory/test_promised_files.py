@@ -3,7 +3,7 @@
 
 They are read from files that the installed command makes of a small molecule. What is below
 `parameters` of an H5MD file, which --continue reads, is not listed: a later version reads it.
-``python tests/python/record/test_promised_files.py`` writes the list anew.
+``python tests/python/trajectory/test_promised_files.py`` writes the list anew.
 """
 
 import difflib
