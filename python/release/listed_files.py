@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What is in files as lines: datasets of H5MD files, keys of JSON, words of force files.
 
-``tests/python/trajectory/test_promised_files.py`` compares the committed list with what commands write.
+``tests/python/trajectory/test_promised_files.py`` compares the list with what commands write.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ from sources import ROOT, files
 
 UNIT = P("tests/unit/resolve/bodies/outward/loop_closure_test.cpp")
 LAW = P("tests/law/limit_law_test.cpp")
-CHECK = P("tests/python/checks/test_recording.py")
+OPENED = P("tests/python/trajectory/test_opened.py")
 
 RANKS = [
     # test, what is in it, what changed, how near
@@ -27,24 +27,29 @@ RANKS = [
         near.AFAR,
     ),
     (LAW, "", "tests/law/bond_law_test.cpp", None),
-    (CHECK, "", "python/pliant/trajectory/recording.py", near.NAMED),
+    (OPENED, "", "python/pliant/trajectory/opened.py", near.NAMED),
     (
-        CHECK,
+        OPENED,
         "from pliant.trajectory.record import Record",
         "python/pliant/trajectory/record.py",
         near.USES,
     ),
     (
-        CHECK,
+        OPENED,
         "from pliant.trajectory import a, record",
         "python/pliant/trajectory/record.py",
         near.USES,
     ),
-    (CHECK, "from pliant.measure import read_record", "python/pliant/measure/frames.py", near.AFAR),
-    (CHECK, "from damaged_h5md import damages", "tests/support/python/damaged_h5md.py", near.USES),
-    (CHECK, "", "python/pliant/checks/suite.py", near.FOLDER),
-    (CHECK, "", "tests/python/checks/conftest.py", near.AREA),
-    (CHECK, "", "python/pliant/base/csv_cells.py", None),
+    (
+        OPENED,
+        "from pliant.measure import read_record",
+        "python/pliant/measure/frames.py",
+        near.AFAR,
+    ),
+    (OPENED, "from damaged_h5md import damages", "tests/support/python/damaged_h5md.py", near.USES),
+    (OPENED, "", "python/pliant/trajectory/stored.py", near.FOLDER),
+    (OPENED, "", "tests/python/trajectory/conftest.py", near.AREA),
+    (OPENED, "", "python/pliant/base/csv_cells.py", None),
     (P("tests/python/base/test_console.py"), "", "python/pliant/base/console.py", near.NAMED),
     (P("tests/python/resolve/test_x.py"), "", "python/bind/resolve/bind_resolve.cpp", near.FOLDER),
     (P("tests/cli/sample/test_sample.py"), "", "apps/commands/cmd_sample.cpp", near.NAMED),

@@ -66,7 +66,12 @@ def test_each_part_of_these_files_is_found(part, tmp_path):
         ("tests/python/pliant.pyi.ref", "=0", "=1", "python: run(seed): Parameter default was "),
         ("src/pliant/base/log.hpp", "int a", "int a, int b", "cpp: void f(int a);: is gone"),
         ("tests/cli/help/pliant-run.help.txt", "--seed", "--sed", "commands: pliant run --seed: "),
-        ("tests/python/trajectory/promised_files.ref", "mass", "m", "files: h5md: particles/mass: is "),
+        (
+            "tests/python/trajectory/promised_files.ref",
+            "mass",
+            "m",
+            "files: h5md: particles/mass: is ",
+        ),
     ],
 )
 def test_what_is_gone_is_found(tagged, name, old, new, said):
