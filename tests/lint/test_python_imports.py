@@ -98,7 +98,6 @@ EXCEPTIONS = {
     "trajectory imports pliant.play.view": "HasFrames.view",
     "trajectory imports pliant.play.widget": "the type of what it returns",
     "trajectory imports pliant.report.suite": "HasFrames.analyse",
-    "report imports pliant": "where its molecule is installed",
 }
 
 

@@ -121,7 +121,7 @@ def _refuse_unfit(function: Any, name: str, value: object, annotation: str) -> N
     known = property_set_by(function) or name
     for kind in EXPLAINED.keys() & set(kinds_of(annotation)) if value is None else ():
         EXPLAINED[kind](value)  # which raises
-    if not fits(value, annotation):
+    if not _holds(value, ast.parse(annotation, mode="eval").body):
         says_less = _SAY_LITTLE.intersection(kinds_of(annotation))
         refuse(known, value, annotation, words=documented(function, name) if says_less else "")
     if _is_whole(value) and "int" in kinds_of(annotation):
@@ -180,7 +180,7 @@ def _kind(one: ast.expr) -> str:
 
 
 def _holds(value: object, wanted: ast.expr) -> bool:
-    """The same of a parsed type; None only where it is named."""
+    """Whether a value and what it holds may be of the type; None only where it is named."""
     if isinstance(wanted, ast.BinOp):
         return _holds(value, wanted.left) or _holds(value, wanted.right)
     kind = _kind(wanted)
@@ -196,8 +196,8 @@ def _holds(value: object, wanted: ast.expr) -> bool:
 
 
 def fits(value: object, annotation: str) -> bool:
-    """Whether a value and what it holds may be of the type; True where that is not known."""
-    return _holds(value, ast.parse(annotation, mode="eval").body)
+    """Whether a value may be of the type; True where that is not known."""
+    return any(_is_of(value, kind) for kind in kinds_of(annotation))
 
 
 def _is_of(value: object, kind: str) -> bool:

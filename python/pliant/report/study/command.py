@@ -9,7 +9,6 @@ import warnings
 from collections.abc import Sequence
 from pathlib import Path
 
-import pliant
 from pliant._core import OptionError
 from pliant.base import console
 from pliant.jobs.process import molecule_rows
@@ -17,7 +16,7 @@ from pliant.trajectory.freed_memory import give_back_freed_memory
 
 COMMON = ("--output", "--frames", "--smiles", "--select", "--keep", "--no-check", "--demo")
 #: of 20 residues, where the build puts it (python/CMakeLists.txt)
-HELIX = Path(pliant.__file__).with_name("static") / "examples" / "peptide_20.pdb"
+HELIX = Path(__file__).parents[2] / "static" / "examples" / "peptide_20.pdb"
 
 DESCRIPTION = """\
 Studies a molecule and answers, on one page: which parts are flexible, what moves together, what
