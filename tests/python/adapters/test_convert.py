@@ -10,6 +10,7 @@ import MDAnalysis
 import numpy as np
 import pliant.mdanalysis
 import pytest
+from h5md_contents import positions_in
 from pliant.adapters.convert.command import main
 
 from pliant import convert
@@ -46,11 +47,6 @@ def recorded(tmp_path_factory):
     return path
 
 
-def positions(path):
-    reader = pliant.H5mdReader(path)
-    return np.array([reader.positions(k) for k in range(len(reader))])
-
-
 def with_mdanalysis(path, topology):
     source = [str(path)] if path.suffix in (".pdb", ".xyz") else [topology, str(path)]
     universe = MDAnalysis.Universe(*source)
@@ -62,7 +58,7 @@ def test_mdanalysis_reads_the_positions_back(recorded, tmp_path, ending):
     done = convert(recorded, tmp_path / f"out{ending}")
     assert (done.frames, done.atoms) == (7, 22)
     found = with_mdanalysis(tmp_path / f"out{ending}", MOLECULE)
-    assert np.abs(found - positions(recorded)).max() < DIGITS[ending]
+    assert np.abs(found - positions_in(recorded)).max() < DIGITS[ending]
 
 
 @pytest.mark.parametrize("ending", [".xtc", ".trr"])
@@ -80,7 +76,7 @@ def test_gemmi_reads_models_names_and_positions(recorded, tmp_path):
     convert(recorded, path)
     models = gemmi.read_structure(str(path))
     found = [[[*atom.atom.pos.tolist()] for atom in model.all()] for model in models]
-    assert np.abs(np.array(found) - positions(recorded)).max() < DIGITS[".pdb"]
+    assert np.abs(np.array(found) - positions_in(recorded)).max() < DIGITS[".pdb"]
     source = gemmi.read_structure(MOLECULE)
     names = [
         [(one.residue.name, one.atom.name, one.atom.element.name) for one in model.all()]
@@ -116,7 +112,7 @@ def test_gemmi_reads_mmcif_as_it_was_recorded(odd, tmp_path):
     assert convert(odd, path).frames == 3
     models = gemmi.read_structure(str(path))
     found = np.array([[[*one.atom.pos.tolist()] for one in model.all()] for model in models])
-    assert np.abs(found - positions(odd)).max() < DIGITS[".cif"]
+    assert np.abs(found - positions_in(odd)).max() < DIGITS[".cif"]
     read = [
         (
             one.chain.name,
@@ -143,7 +139,7 @@ def test_our_reader_finds_the_models_of_mmcif(recorded, tmp_path):
     source = pliant.H5mdReader(recorded).structure()
     for model, frame in enumerate((0, 3, 6), 1):
         found = pliant.read(tmp_path / "out.cif", model=model)
-        assert np.abs(found.positions - positions(recorded)[frame]).max() < DIGITS[".cif"]
+        assert np.abs(found.positions - positions_in(recorded)[frame]).max() < DIGITS[".cif"]
         for name in ("names", "residue_names", "residue_ids", "chains", "elements"):
             assert getattr(found, name).tolist() == getattr(source, name).tolist()
 
@@ -162,7 +158,7 @@ def test_a_part_of_the_atoms_and_frames(recorded, tmp_path):
     source = pliant.H5mdReader(recorded)
     nitrogens = source.structure().elements == 7
     found = with_mdanalysis(path, None)
-    assert np.abs(found - positions(recorded)[::3, nitrogens]).max() < DIGITS[".xyz"]
+    assert np.abs(found - positions_in(recorded)[::3, nitrogens]).max() < DIGITS[".xyz"]
 
 
 def test_superposed_as_mdanalysis_does(recorded, tmp_path):

@@ -114,13 +114,17 @@ def test_a_signal_before_the_end_sends_jobs_back_to_the_queue(slurm, whole, tmp_
     expect_same_bytes(folder, whole)
 
 
-def test_jobs_of_dask_cancelled_and_killed(slurm, whole, tmp_path):
+def words_of_dask(folder):
+    """Of a command that submits its jobs by Dask."""
     pytest.importorskip("dask_jobqueue")
-    settings = tmp_path / "slurm.yaml"
+    settings = folder / "slurm.yaml"
     text = "queue_system: slurm\njobs: 2\ncores: 1\nmemory: 500MB\nwalltime: '01:00:00'\n"
-    settings.write_text(f"{text}interface: lo\nlog_directory: {tmp_path}\n")
-    folder = tmp_path / "many"
-    words = (*WORDS, "--commit-seconds", "0.1", "--cluster", settings)
+    settings.write_text(f"{text}interface: lo\nlog_directory: {folder}\n")
+    return (*WORDS, "--commit-seconds", "0.1", "--cluster", settings)
+
+
+def test_jobs_of_dask_cancelled_and_killed(slurm, whole, tmp_path):
+    folder, words = tmp_path / "many", words_of_dask(tmp_path)
     client = start(PEPTIDE, "-o", folder, *words, env=slurm.environment, cwd=tmp_path)
     try:
         wait_for(lambda: committed(folder), slurm)
@@ -138,12 +142,7 @@ def test_jobs_of_dask_cancelled_and_killed(slurm, whole, tmp_path):
 
 
 def test_the_parent_is_killed_and_its_jobs_end(slurm, whole, tmp_path):
-    pytest.importorskip("dask_jobqueue")
-    settings = tmp_path / "slurm.yaml"
-    text = "queue_system: slurm\njobs: 2\ncores: 1\nmemory: 500MB\nwalltime: '01:00:00'\n"
-    settings.write_text(f"{text}interface: lo\nlog_directory: {tmp_path}\n")
-    folder = tmp_path / "many"
-    words = (*WORDS, "--commit-seconds", "0.1", "--cluster", settings)
+    folder, words = tmp_path / "many", words_of_dask(tmp_path)
     client = start(PEPTIDE, "-o", folder, *words, env=slurm.environment, cwd=tmp_path)
     wait_for(lambda: committed(folder), slurm)
     os.kill(client.pid, signal.SIGKILL)

@@ -126,14 +126,6 @@ def test_frames_are_those_that_were_recorded(universe):
     assert np.array_equal(universe.trajectory[-1].positions, positions_at(59, 10))
 
 
-def test_rmsf_is_that_of_the_raw_numbers(universe, trajectory):
-    measured = RMSF(universe.atoms).run().results.rmsf
-    with h5py.File(trajectory) as file:
-        positions = file["particles/trajectory/position/value"][:]
-    deviation = positions - positions.mean(axis=0)
-    assert measured == pytest.approx(np.sqrt((deviation**2).sum(axis=2).mean(axis=0)), rel=1e-6)
-
-
 def test_pickles_and_runs_in_several_processes(universe):
     copy = pickle.loads(pickle.dumps(universe))
     assert copy.atoms.names.tolist() == universe.atoms.names.tolist()

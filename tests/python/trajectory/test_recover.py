@@ -7,6 +7,7 @@ import os
 import h5py
 import numpy as np
 import pytest
+from h5md_contents import positions_in
 from pliant.adapters.convert.command import main
 from pliant.trajectory.opened import one_file
 from pliant.trajectory.recover.recover import recover
@@ -24,16 +25,11 @@ def good(tmp_path):
     return path
 
 
-def positions(path):
-    reader = pliant.H5mdReader(path)
-    return np.array([reader.positions(k) for k in range(len(reader))])
-
-
 def test_a_whole_file_stays_what_it_is(good, tmp_path, capsys):
     out = tmp_path / "out.h5md"
     assert main([str(good), "-o", str(out), "--recover"]) == 0
     assert capsys.readouterr().out.endswith("nothing was lost\n")
-    assert np.array_equal(positions(out), positions(good))
+    assert np.array_equal(positions_in(out), positions_in(good))
     ours, theirs = pliant.H5mdReader(out), pliant.H5mdReader(good)
     assert ours.parameters() == theirs.parameters()
     assert ours.observables == theirs.observables
@@ -56,9 +52,9 @@ def test_a_file_cut_short_keeps_its_first_frames(good, tmp_path, capsys):
     assert main([str(cut), "-o", str(out), "--recover"]) == 0
     said = capsys.readouterr().out
     assert f"lost: superblock: states {len(whole)} bytes, the file has {end}\n" in said
-    kept = positions(out)
+    kept = positions_in(out)
     assert 0 < len(kept) < 600
-    assert np.array_equal(kept, positions(good)[pliant_steps(out)])
+    assert np.array_equal(kept, positions_in(good)[pliant_steps(out)])
 
 
 def pliant_steps(path):
@@ -68,20 +64,20 @@ def pliant_steps(path):
 
 def test_frames_around_a_hole_are_saved(good, tmp_path, capsys):
     out = tmp_path / "out.h5md"
-    before = positions(good)
+    before = positions_in(good)
     with h5py.File(good, "r+") as file:
         file[VALUE][300, 1] = np.nan
     assert main([str(good), "-o", str(out), "--json", "--recover"]) == 0
     report = json.loads(capsys.readouterr().out)
     assert report["lost"] == {"frame 300": "has coordinates that are not finite"}
     assert (report["frames"], report["frames_stated"]) == (599, 600)
-    assert np.array_equal(positions(out), np.delete(before, 300, axis=0))
+    assert np.array_equal(positions_in(out), np.delete(before, 300, axis=0))
     assert pliant.H5mdReader(out).observable("sweeps").shape == (599,)
 
 
 def test_lost_names_leave_the_frames(good, tmp_path):
     out = tmp_path / "out.h5md"
-    before = positions(good)
+    before = positions_in(good)
     with h5py.File(good) as file:
         at = h5py.h5o.get_info(file["parameters/topology/atom_name"].id).addr
     with open(good, "r+b") as file:
@@ -89,17 +85,17 @@ def test_lost_names_leave_the_frames(good, tmp_path):
         file.write(b"\xff" * 64)
     found = recover(good, out)
     assert "parameters/topology/atom_name" in found.lost
-    assert np.array_equal(positions(out), before)
+    assert np.array_equal(positions_in(out), before)
 
 
 def test_a_broken_superblock_is_mended(good, tmp_path):
     out = tmp_path / "out.h5md"
-    before = positions(good)
+    before = positions_in(good)
     with open(good, "r+b") as file:
         file.seek(2)
         file.write(b"xyz")
     assert recover(good, out).lost == {"superblock": "had wrong bytes"}
-    assert np.array_equal(positions(out), before)
+    assert np.array_equal(positions_in(out), before)
 
 
 @pytest.mark.parametrize("content", [b"", b"ATOM      1  N   ALA A   1", bytes(5000)])
