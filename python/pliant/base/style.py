@@ -35,8 +35,12 @@ INK = "#2B333B"
 FAINT = "#E3E7EB"
 
 PALETTE = (BLUE, GREEN, VERMILION, ORANGE, PURPLE, SKY)
-#: of domains, largest first; more than six, up to the twenty there can be, share them
-DOMAIN_COLOURS = 4 * (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILION)
+#: of domains, largest first, as the 3-D view has them (apps/play/page/view/colours.mjs); more than
+#: sixteen, up to the twenty there can be, share them
+DOMAIN_COLOURS = 2 * (
+    *(BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILION, "#F0E442", "#332288"),
+    *("#8020F0", "#802020", "#A8F0A8", "#A8A850", "#A850F0", "#A82080", "#A85020", "#A82050"),
+)
 
 #: perceptually even and readable without colour (J. Nunez et al., PLoS ONE 13 (2018) e0199239)
 MAP = "cividis"

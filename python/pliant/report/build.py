@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Generic
+from typing import Any, Generic
 
 from pliant.base.console import Table
 from pliant.base.verdict import Verdict
@@ -29,7 +29,13 @@ class Report(Generic[Found]):
     @property
     def values(self) -> Values:
         """What was found, JSON-ready."""
-        return {k: value for row in self.sections for k, value in row.values(self.found).items()}
+        all_of_them: dict[str, Any] = {}
+        for row in self.sections:
+            values = row.values(self.found)
+            if twice := all_of_them.keys() & values.keys():
+                raise ValueError(f"two sections have a value {min(twice)!r}")
+            all_of_them.update(values)
+        return all_of_them
 
     def lines(self) -> Iterator[Line]:
         """For the terminal: see `print_lines`."""

@@ -87,7 +87,7 @@ def _add_places(add: Callable[..., object]) -> None:
         metavar="FILE",
         help="write a script for a Slurm job array, and make no shards",
     )
-    text = "further attempts at a shard that fails (default: 3)"
+    text = "further attempts at a shard that ends with an error (default: 3)"
     add("--retries", type=whole_number(0, most=1000), default=3, metavar="N", help=text)
 
 

@@ -71,7 +71,7 @@ def complete(
     folder: Path,
     place: Callable[[int], contextlib.AbstractContextManager[Place]],
     show: Progress,
-    retries: int = 3,
+    retries: int,
     how: Making | None = None,
 ) -> Outcome:
     """Makes the shards that are missing. `place` is asked for one, if there are any.

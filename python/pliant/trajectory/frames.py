@@ -16,7 +16,7 @@ import numpy.typing as npt
 from pliant import _core
 from pliant._core import InputError, Structure
 from pliant.trajectory.drawn_by import around_start
-from pliant.trajectory.kind import kind_of
+from pliant.trajectory.kind import kind_of_frames
 
 if TYPE_CHECKING:
     from pliant.trajectory.recorded_contacts import RecordedContacts
@@ -167,7 +167,7 @@ class Frames:
     @property
     def kind(self) -> str:
         """What the frames are: a row of `pliant.trajectory.kind`."""
-        return kind_of(self.parameters)
+        return kind_of_frames(self.parameters)
 
     @property
     def around_start(self) -> np.ndarray:

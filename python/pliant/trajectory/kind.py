@@ -39,7 +39,7 @@ MEANING = {
 }
 
 
-def kind_of(parameters: Mapping[str, Any]) -> str:
+def kind_of_frames(parameters: Mapping[str, Any]) -> str:
     """ENSEMBLE, PATH, TRANSITION or TRAJECTORY, by the parameters that the file holds."""
     if "path/end" in parameters:
         return TRANSITION

@@ -5,6 +5,7 @@ import base64
 import json
 import re
 import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,6 +13,8 @@ from browser import Page, chromium
 from firefox import BINARY, Firefox
 from pliant.report.command import main
 from pliant.report.page.bundle import viewer_script
+
+from pliant.base import style
 
 needs_browser = pytest.mark.skipif(chromium() is None, reason="no Chromium is installed")
 
@@ -302,3 +305,10 @@ def test_it_prints_on_four_pages_and_follows_a_dark_screen(report, opened):
         browser.call("Emulation.setEmulatedMedia", {"features": []})
     assert 1 < len(re.findall(rb"/Type\s*/Page\b", printed)) <= 4
     assert printed.count(b"/Subtype /Image") >= 10  # the figures
+
+
+def test_the_3d_view_and_the_figures_give_domains_the_same_colours():
+    view = Path(__file__).parents[3] / "apps/play/page/view/colours.mjs"
+    listed = view.read_text().split("CATEGORIES = [")[1].split("]")[0]
+    colours = re.findall(r"#[0-9a-f]{6}", listed)
+    assert [one.lower() for one in style.DOMAIN_COLOURS[: len(colours)]] == colours

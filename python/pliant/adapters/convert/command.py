@@ -109,7 +109,7 @@ def _convert(arguments: argparse.Namespace) -> int:
 
 def _recover(arguments: argparse.Namespace) -> int:
     usual = make_parser().parse_args([arguments.file, "-o", arguments.output])
-    for name in ("select", "every", "representatives", "superpose"):
+    for name in vars(usual).keys() - {"recover", "overwrite", "json", "quiet"}:
         if getattr(arguments, name) != getattr(usual, name):
             raise OptionError(f"--{name}: does not go with --recover")
     recovery = recover(arguments.file, arguments.output, overwrite=arguments.overwrite)

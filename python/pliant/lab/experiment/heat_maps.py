@@ -92,7 +92,7 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
 
 def _draw_grid(axis: Axes, grid: np.ndarray, texts: list[str]) -> AxesImage:
     shown = np.ma.masked_less(grid, 0.0)
-    image = axis.imshow(shown, cmap="cividis", vmin=0.0, vmax=1.0, aspect="auto", origin="lower")
+    image = axis.imshow(shown, cmap=style.MAP, vmin=0.0, vmax=1.0, aspect="auto", origin="lower")
     for row, column in np.argwhere(grid == 1.0):
         axis.plot(column, row, "o", color="black", markersize=4)
     exponents = [f"{np.log10(tolerance):.0f}" for tolerance in TOLERANCES]

@@ -111,7 +111,7 @@ def _draw_matrix(axes: Axes, overlaps: np.ndarray) -> None:
     rows, columns = overlaps.shape
     extent = (0.5, rows + 0.5, 0.5, columns + 0.5)
     image = axes.imshow(
-        overlaps.T, origin="lower", vmin=0, vmax=1, cmap="cividis", aspect="auto", extent=extent
+        overlaps.T, origin="lower", vmin=0, vmax=1, cmap=style.MAP, aspect="auto", extent=extent
     )
     axes.figure.colorbar(image, ax=axes, label="overlap |u · v|")
     axes.grid(False)

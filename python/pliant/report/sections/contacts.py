@@ -105,7 +105,7 @@ def _draw(analysis: Analysis) -> Figure:
     start, seen = found.at_start, found.share > 0
     look = {"s": float(np.clip(900 / len(units.labels), 1.0, 14)), "marker": "s", "lw": 0}
     axes.scatter(second[start], first[start], c=style.GREY, **look)
-    shades = {"c": 100 * found.share[seen], "cmap": "cividis_r", "vmin": 0, "vmax": 100}
+    shades = {"c": 100 * found.share[seen], "cmap": f"{style.MAP}_r", "vmin": 0, "vmax": 100}
     dots = axes.scatter(first[seen], second[seen], **shades, **look)
     ends = -0.5, len(units.labels) - 0.5
     axes.plot(ends, ends, color=style.FAINT, lw=1)
