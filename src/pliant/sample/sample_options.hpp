@@ -17,7 +17,7 @@ inline constexpr std::int64_t open_frames = std::numeric_limits<std::int64_t>::m
 /// Near frames are asked for in blocks of so many.
 inline constexpr std::int64_t near_block = 100;
 inline constexpr std::int64_t usual_frames = 200;  // of samplers whose row names no other
-inline constexpr double usual_amplitude = 1.4;  // Angstrom
+inline constexpr double usual_amplitude = 1.4;     // Angstrom
 inline constexpr double largest_amplitude = 10.0;
 
 /// What to sample: rows of sample_fields(). Checked once, when sample() begins.
