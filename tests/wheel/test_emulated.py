@@ -20,7 +20,7 @@ PRINTED = {
     "contacts": "contacts peptide_20.pdb",
     "rigidity": "rigidity peptide_20.pdb",
     "dilution": "rigidity peptide_20.pdb --dilution",
-    "order": "order caffeine.sdf",
+    "order": "lab order caffeine.sdf",
     "info": "info peptide_20.pdb --json",
 }
 

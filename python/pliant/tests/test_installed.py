@@ -114,7 +114,7 @@ def command() -> str:
 
 def test_the_command_runs(ethanol: Path, tmp_path: Path) -> None:
     """C++ and Python subcommands."""
-    for arguments in (["--version"], ["info", str(ethanol)], ["recover", "--help"]):
+    for arguments in (["--version"], ["info", str(ethanol)], ["convert", "--help"]):
         environment = os.environ | {"PATH": f"{Path(command()).parent}:{os.environ['PATH']}"}
         done = subprocess.run(
             [command(), *arguments], capture_output=True, text=True, check=False, env=environment

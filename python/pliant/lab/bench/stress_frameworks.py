@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Frameworks of which the cases of ``pliant bench stress`` are made."""
+"""Frameworks of which the cases of ``pliant lab bench stress`` are made."""
 
 from __future__ import annotations
 
