@@ -8,11 +8,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
 from firefox import BINARY, Firefox
-from real_files import CAFFEINE
+from h5md_contents import positions_in
+from real_files import CAFFEINE, PEPTIDE
 from wasm_solver import ROOT
 
 BUILT = Path(os.environ.get("PLIANT_PLAY", ROOT / "build/play")) / "pliant.html"
@@ -65,8 +65,7 @@ def test_a_drag_in_firefox_has_the_bits_of_the_library(tmp_path):
     forces.write_text(session["text"])
     words = ["run", CAFFEINE, "--forces", forces, "--model", session["model"], "-o", out]
     subprocess.run([COMMAND, *map(str, words)], check=True, capture_output=True)
-    with h5py.File(out) as found:
-        frames = found["particles/trajectory/position/value"][:]
+    frames = positions_in(out)
     assert len(frames) >= 6
     assert np.array_equal(frames[-1].ravel(), session["positions"])
     assert not np.array_equal(frames[-1], frames[0])
@@ -85,17 +84,13 @@ def test_a_page_shared_from_chromium_is_the_same_bits_in_firefox(tmp_path):
     if not (BINARY and shutil.which("Xvfb") and BUILT.is_file() and shutil.which("node")):
         pytest.skip("firefox-esr, xvfb, node or the page is not there: apt-get install, ./dev play")
     pytest.importorskip("websockets")
-    script, peptide = (
-        ROOT / "apps/play/test/from_python/make_session.mjs",
-        ROOT / "data/molecules/peptide_20.pdb",
-    )
-    subprocess.run(["node", script, peptide, tmp_path], check=True, capture_output=True)
+    script = ROOT / "apps/play/test/from_python/make_session.mjs"
+    subprocess.run(["node", script, PEPTIDE, tmp_path], check=True, capture_output=True)
     (tmp_path / "profile").mkdir()
     with Firefox(tmp_path / "profile") as firefox:
         firefox.open((tmp_path / "session.html").as_uri())
         rows = [np.frombuffer(base64.b64decode(row)) for row in firefox.tell(BITS)]
-    with h5py.File(tmp_path / "session.h5md") as found:
-        frames = found["particles/trajectory/position/value"][:].reshape(-1, 3 * 327)
+    frames = positions_in(tmp_path / "session.h5md").reshape(-1, 3 * 327)
     assert len(rows) == len(frames) + 1 >= 12
     assert all(a.tobytes() == b.tobytes() for a, b in zip(rows, frames, strict=False))
     assert rows[-1].tobytes() == frames[-1].tobytes()  # the solver has come there, too

@@ -7,35 +7,22 @@ that the page saves are read by h5py, MDAnalysis and pliant run.
 
 import json
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from real_files import ROOT
+from h5md_contents import positions_in
+from real_files import PEPTIDE, ROOT
+from wasm_solver import what_page_lacks
 
-BUILT = Path(os.environ.get("PLIANT_PLAY", ROOT / "build/play"))
 TESTS = ROOT / "apps/play/test"
-CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 COMMAND = Path(os.environ.get("PLIANT_COMMAND", Path(sys.executable).parent / "pliant"))
 TOLERANCE = 1e-6  #: of a bar, relative; the page's default
 
 
-def _missing():
-    if not shutil.which("node"):
-        return "node is not installed"
-    if not Path(CHROMIUM).is_file():
-        return f"{CHROMIUM} is not installed"
-    packages = ROOT / "build/play/node_modules"
-    for file in (BUILT / "pliant.html", packages / "playwright-core/package.json"):
-        if not file.is_file():
-            return f"{file} is missing: ./dev play makes it"
-    return ""
-
-
-pytestmark = pytest.mark.skipif(bool(_missing()), reason=_missing() or "all is there")
+pytestmark = pytest.mark.skipif(bool(what_page_lacks()), reason=what_page_lacks() or "all is there")
 
 
 def node(script, *words, timeout):
@@ -109,7 +96,6 @@ def test_mdanalysis_opens_the_h5md_and_the_pdb(session):
 
 def replayed(molecule, folder, model):
     """The frames that pliant run makes of the session's force file."""
-    h5py = pytest.importorskip("h5py")
     out = folder / "replayed.h5md"
     words = [
         "run",
@@ -122,17 +108,13 @@ def replayed(molecule, folder, model):
         out,
     ]
     subprocess.run([COMMAND, *map(str, words), "--overwrite"], check=True, capture_output=True)
-    with h5py.File(out) as found:
-        return found["particles/trajectory/position/value"][:]
+    return positions_in(out)
 
 
 def test_pliant_run_replays_the_session_to_the_same_bits(session):
-    h5py = pytest.importorskip("h5py")
     folder, facts = session
-    with h5py.File(folder / "session.h5md") as found:
-        frames = found["particles/trajectory/position/value"][:]
-    peptide = ROOT / "data/molecules/peptide_20.pdb"
-    assert np.array_equal(replayed(peptide, folder, facts["model"]), frames)
+    frames = positions_in(folder / "session.h5md")
+    assert np.array_equal(replayed(PEPTIDE, folder, facts["model"]), frames)
 
 
 #: Of the page's file alone: contacts step by step, limits, sterics, and where a run would go on.
@@ -146,7 +128,7 @@ NOT_OF_THE_PAGE = tuple(
 def test_the_h5md_says_of_itself_what_that_of_pliant_run_says(session):
     h5py = pytest.importorskip("h5py")
     folder, facts = session
-    replayed(ROOT / "data/molecules/peptide_20.pdb", folder, facts["model"])
+    replayed(PEPTIDE, folder, facts["model"])
     rows = []
     with h5py.File(folder / "replayed.h5md") as run, h5py.File(folder / "session.h5md") as page:
         run.visititems(lambda path, item: rows.append(path) if hasattr(item, "shape") else None)
@@ -163,10 +145,8 @@ def test_the_h5md_says_of_itself_what_that_of_pliant_run_says(session):
 @pytest.mark.long
 def test_a_protein_of_3341_atoms(tmp_path):
     data = pytest.importorskip("MDAnalysisTests.datafiles")
-    h5py = pytest.importorskip("h5py")
     folder, facts = made(data.PDB_small, tmp_path, "blocks", "bonds")
     assert facts["joints"] == 3341
     assert worst_of(folder / "session.h5md") <= TOLERANCE
-    with h5py.File(folder / "session.h5md") as found:
-        frames = found["particles/trajectory/position/value"][:]
+    frames = positions_in(folder / "session.h5md")
     assert np.array_equal(replayed(data.PDB_small, folder, "bonds"), frames)

@@ -8,6 +8,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from h5md_contents import positions_in
 from real_files import CAFFEINE, PEPTIDE
 from wasm_solver import ROOT, Solver, sha1
 
@@ -28,8 +29,7 @@ def replayed(path, text, tmp_path, *options):
     forces.write_text(text)
     words = [*"--topology none --overwrite --quiet".split(), *options]
     subprocess.run([COMMAND, "run", path, "--forces", forces, "-o", out, *words], check=False)
-    with h5py.File(out) as file:
-        return file["particles/trajectory/position/value"][:]
+    return positions_in(out)
 
 
 def test_a_pull_is_a_step_of_a_motion_that_is_steered(solver):

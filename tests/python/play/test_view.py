@@ -7,7 +7,6 @@ import json
 import os
 import re
 import secrets
-import shutil
 import socket
 import subprocess
 import sys
@@ -20,7 +19,7 @@ import pytest
 from pliant.play import page
 from pliant.play.view import given_of
 from real_files import MOLECULES, PEPTIDE
-from wasm_solver import ROOT, sha1
+from wasm_solver import BUILT, ROOT, sha1, what_page_lacks
 
 import pliant
 
@@ -131,8 +130,6 @@ def test_what_the_page_tells_is_there(built, monkeypatch):
 
 # --- in JupyterLab --------------------------------------------------------------------------------
 
-BUILT = Path(os.environ.get("PLIANT_PLAY", ROOT / "build/play"))
-CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 SHOW = """\
 import pathlib
 import pliant
@@ -150,13 +147,8 @@ print("written")"""
 
 def missing():
     """What a notebook in a browser lacks here."""
-    for program in ("node", CHROMIUM):
-        if not shutil.which(program):
-            return f"{program} is not installed"
-    packages = ROOT / "build/play/node_modules"
-    for file in (BUILT / "pliant.html", packages / "playwright-core/package.json"):
-        if not file.is_file():
-            return f"{file} is missing: ./dev play makes it"
+    if lacks := what_page_lacks():
+        return lacks
     for package in ("anywidget", "ipykernel", "jupyterlab"):
         pytest.importorskip(package)
     return ""

@@ -3,6 +3,7 @@
 
 import hashlib
 import json
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -11,11 +12,25 @@ import numpy as np
 from real_files import ROOT
 
 WASM = ROOT / "build" / "play" / "pliant.wasm"
+BUILT = Path(os.environ.get("PLIANT_PLAY", ROOT / "build/play"))  #: folder of the page
+CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 
 
 def is_there():
     """Whether ./dev play has built the module and node is here to run it."""
     return WASM.exists() and shutil.which("node") is not None
+
+
+def what_page_lacks():
+    """What is not here of that which opens the page in Chromium; empty if all is."""
+    for program in ("node", CHROMIUM):
+        if not shutil.which(program):
+            return f"{program} is not installed"
+    packages = ROOT / "build/play/node_modules"
+    for file in (BUILT / "pliant.html", packages / "playwright-core/package.json"):
+        if not file.is_file():
+            return f"{file} is missing: ./dev play makes it"
+    return ""
 
 
 class Solver:
