@@ -199,7 +199,8 @@ test('what the browser loses of the picture is made once more', async () => {
     lost.restoreContext();
     await isBack;
   });
-  assert.equal(differing(first, await picture()), 0);
+  // Edges may fall otherwise by a few pixels; an empty picture differs by thousands.
+  assert.ok(differing(first, await picture()) < 50);
   await page.evaluate(() => { P.view.quality.isFixed = false; });
 });
 
