@@ -22,6 +22,7 @@ with needed_by("pliant.base.style"):
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
 
 # M. Okabe, K. Ito, Color Universal Design (2008); grey for what is only a frame of reference.
 BLUE = "#0072B2"
@@ -128,6 +129,12 @@ def pad(figure: Figure, width: float) -> None:
     engine = figure.get_layout_engine()
     assert isinstance(engine, ConstrainedLayoutEngine)
     engine.set(w_pad=width)
+
+
+def colour_bar(axes: Axes, drawn: ScalarMappable, label: str) -> None:
+    """What the colours of an image or of dots mean, beside the axes."""
+    bar = axes.figure.colorbar(drawn, ax=axes, label=label, pad=0.02, aspect=30)
+    bar.outline.set_visible(False)
 
 
 def legend_above(axes: Axes) -> None:

@@ -60,7 +60,8 @@ class AnalysisReport(Displayed):
         """The verdict, and what was found in some lines; the rest is in the report and the JSON."""
         analysis, report = self.analysis, report_of(self.analysis, self.more)
         frames = f"{len(analysis.frames)}, of {len(analysis.atoms)} atoms"
-        head = [("verdict", self.verdict.sentence), ("file", printable_name(analysis.options.path))]
+        judged = verdict_of_all(report.verdicts.values())
+        head = [("verdict", judged.sentence), ("file", printable_name(analysis.options.path))]
         files = {"represent all": "representatives", "report": "report"}
         made = [
             (what, printable_name(self.outputs[name]))
@@ -72,7 +73,8 @@ class AnalysisReport(Displayed):
     def as_json(self) -> dict[str, Any]:
         """What it comes down to, as one JSON object."""
         analysis, report = self.analysis, report_of(self.analysis, self.more)
-        made, judged = report.verdicts, self.verdict
+        made = report.verdicts
+        judged = verdict_of_all(made.values())
         return {
             "verdict": judged.kind,
             "verdict_text": judged.sentence,

@@ -242,7 +242,7 @@ class FramesOfModels(Frames):
     """The models of a structure file, or its one structure."""
 
     def __init__(self, path: Path) -> None:
-        self._path = self.path = path
+        self.path: Path = path
         self._structure = _core.read(path)
 
     @property
@@ -257,7 +257,7 @@ class FramesOfModels(Frames):
         """(N, 3) Angstrom."""
         if frame == 0:
             return np.array(self._structure.positions)
-        read = _core.read(self._path, frame + 1, perceive_bonds=False)
+        read = _core.read(self.path, frame + 1, perceive_bonds=False)
         check_atoms(self._structure, len(read), f"model {frame + 1} of {self.path}")
         return np.array(read.positions)
 

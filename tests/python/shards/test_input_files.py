@@ -19,7 +19,6 @@ import pliant
 from pliant import FileError, InputError
 
 DEEP = "[" * 100_000
-TOO_DEEP = "expected the plan of an ensemble: nested too deeply"
 
 
 @pytest.fixture

@@ -44,6 +44,10 @@ examples:
 """
 
 
+#: options that --recover heeds; any other is refused beside it
+WITH_RECOVER = ("file", "output", "recover", "overwrite", "json", "quiet")
+
+
 def make_parser() -> console.Parser:
     """The options of pliant convert."""
     parser = console.Parser(
@@ -108,9 +112,9 @@ def _convert(arguments: argparse.Namespace) -> int:
 
 
 def _recover(arguments: argparse.Namespace) -> int:
-    usual = make_parser().parse_args([arguments.file, "-o", arguments.output])
-    for name in vars(usual).keys() - {"recover", "overwrite", "json", "quiet"}:
-        if getattr(arguments, name) != getattr(usual, name):
+    usual = make_parser()
+    for name, value in vars(arguments).items():
+        if name not in WITH_RECOVER and value != usual.get_default(name):
             raise OptionError(f"--{name}: does not go with --recover")
     recovery = recover(arguments.file, arguments.output, overwrite=arguments.overwrite)
     if arguments.json:

@@ -14,8 +14,8 @@ from pliant.measure.pockets.opened_pockets import LEAST_GROWTH, why_no_pockets
 from pliant.measure.pockets.pocket_grid import RADII, SPACING, Room, find_pockets, room_among
 from pliant.measure.rotatable import is_hydrogen
 from pliant.measure.shapes.other_shapes import OtherShapes
-from pliant.measure.stages.names import residue_labels
 from pliant.measure.stages.parts import Part, ReferenceStructure, Units
+from pliant.trajectory.chosen_frames import choose_frames
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
@@ -146,8 +146,7 @@ def pocket_volumes(analysis: Analysis) -> Iterator[PocketVolumes]:
     around = _Surroundings(analysis, sum(kept[1:], kept[0]) if kept else analysis.atoms[:0])
     start = analysis[ReferenceStructure].positions
     lined = _lined(analysis, around, kept)
-    count = min(LOOKED_AT, len(analysis.frames))
-    places = np.unique(np.linspace(0, len(analysis.frames) - 1, count).round().astype(int))
+    places = choose_frames(len(analysis.frames), LOOKED_AT)
     rooms = []
     for place in places:
         positions = analysis.positions(place)
@@ -185,7 +184,7 @@ def _lined(
 ) -> dict[str, np.ndarray]:
     """The atoms that line each pocket, by the pocket's name."""
     start = analysis[ReferenceStructure].positions
-    labels = residue_labels(analysis.universe.residues)
+    labels = analysis.residue_labels
     lined: dict[str, np.ndarray] = {}
     for ligand in kept:
         lining = around.beside(start, ligand.ix)

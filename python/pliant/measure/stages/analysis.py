@@ -5,11 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
 from pliant.measure.frames import HAS_BACKENDS
+from pliant.measure.stages.names import residue_labels
 from pliant.measure.stages.parts import Part
 from pliant.trajectory.drawn_by import around_start, is_near
 from pliant.trajectory.frame_store import AT_ONCE_BYTES, FrameStore
@@ -78,6 +80,11 @@ class Analysis:
     def get(self, kind: type[AnyPart]) -> AnyPart | None:
         """The part of that type; None where no stage returned one."""
         return self[kind] if kind in self.parts else None
+
+    @cached_property
+    def residue_labels(self) -> list[str]:
+        """Of all residues of the universe."""
+        return residue_labels(self.universe.residues)
 
     @property
     def notes(self) -> list[str]:

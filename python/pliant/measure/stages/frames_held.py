@@ -87,10 +87,10 @@ def _looked_at(
         times.append(moment.time)
         steps.append(moment.step)
         boxes.append(np.zeros(6) if moment.box is None else moment.box)
-    found = np.array(good, dtype=int), np.array(times), np.array(steps)
     if is_held and good:
         store.cut(len(good))
         held = FramesHeld(store, np.array(boxes, dtype=np.float32) if np.any(boxes) else None)
         universe.trajectory = FramesReader(held)
-    frames, at, of = found
-    return ChosenFrames(frames, at, of if source.has_steps else None, store if is_held else None)
+    known = np.array(steps) if source.has_steps else None
+    numbers, at = np.array(good, dtype=int), np.array(times)
+    return ChosenFrames(numbers, at, known, store if is_held else None)

@@ -16,7 +16,6 @@ from pliant.base.output_names import check_trajectory_name, is_pdb_name
 from pliant.play.imd.address import server_address
 from pliant.play.imd.client import Client, ImdFrame
 
-USUAL_PORT = 8888
 GREETING, SILENCE = 10.0, 60.0  #: seconds that a server may take for its first word, and for others
 
 EPILOG = """\

@@ -109,7 +109,7 @@ def _verdict(one: Verdict, failed: bool) -> str:
     )
 
 
-def refuse_unknown(headings: Sequence[str], report: Report[Found]) -> None:
+def refuse_other_headings(headings: Sequence[str], report: Report[Found]) -> None:
     """Raises ValueError for a section under a heading that a page does not have."""
     for row in report.sections:
         if row.heading and row.heading not in headings:
@@ -125,7 +125,7 @@ def sections_of(
 ) -> str:
     """Figures and tables under their headings; under `wide` ones each is as wide as the page."""
     parts = []
-    refuse_unknown(headings, report)
+    refuse_other_headings(headings, report)
     for heading in headings:
         shown = [row for row in report.sections if row.heading == heading]
         figures = [

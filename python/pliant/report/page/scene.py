@@ -31,6 +31,7 @@ from pliant.report.sections.flexible import UnitFlexibility
 from pliant.report.sections.motions import Components
 from pliant.report.sections.series import Gyration, Rmsd
 from pliant.report.sections.sweeps import Sweeps
+from pliant.trajectory.chosen_frames import choose_frames
 from pliant.trajectory.superposition import Superposition
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def thinned(analysis: Analysis, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX
     atoms, notes = analysis.atoms[drawn.chosen], [*drawn.notes]
     per_frame = 6 * len(atoms) + len(_bars(analysis))
     count = int(np.clip(max_bytes // per_frame, 2, len(analysis.frames)))
-    frames = np.unique(np.linspace(0, len(analysis.frames) - 1, count).round().astype(int))
+    frames = choose_frames(len(analysis.frames), count)
     if len(frames) < len(analysis.frames):
         notes.insert(0, f"{len(frames)} of the {len(analysis.frames)} frames")
     return Thinned(atoms.ix, frames, notes, drawn.trace_only)

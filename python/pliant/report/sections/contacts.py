@@ -112,8 +112,7 @@ def _draw(analysis: Analysis) -> Figure:
     style.chain_axis(axes, units.numbers, units.chains)
     axes.set_yticks(axes.get_xticks(), [t.get_text() for t in axes.get_xticklabels()])
     axes.set(xlim=ends, ylim=ends, aspect="equal", ylabel="residue number", title="Contacts")
-    bar = figure.colorbar(dots, ax=axes, label="kept (% of frames)", pad=0.02, aspect=30)
-    bar.outline.set_visible(False)
+    style.colour_bar(axes, dots, "kept (% of frames)")
     return figure
 
 

@@ -27,7 +27,7 @@ from pliant.measure.stages.parts import Part, Units
 from pliant.report.figures.profile import NAMED_BARS, domain_strip
 from pliant.report.section import Columns, Fact, Picture, Values
 from pliant.report.sections import headings
-from pliant.report.sections.measured import Measured, caption, has
+from pliant.report.sections.measured import Measured, caption, has, told
 from pliant.trajectory.frame_store import FrameStore
 from pliant.trajectory.kind import ENSEMBLE
 
@@ -248,8 +248,7 @@ def _draw(analysis: Analysis) -> Figure:
     domain_strip(axes, domains_of_units(analysis))
     axes.set(title="What moves together", aspect="equal")
     axes.grid(False)
-    bar = figure.colorbar(image, ax=axes, label="correlation of displacements", pad=0.02, aspect=30)
-    bar.outline.set_visible(False)
+    style.colour_bar(axes, image, "correlation of displacements")
     return figure
 
 
@@ -280,9 +279,7 @@ DOMAINS = Measured(
     values=_values,
     facts=_facts,
     tables=_tables,
-    lines=lambda analysis: (
-        [("domains", verdict.sentence)] if (verdict := domain_verdict(analysis)) else []
-    ),
+    lines=told("domains", domain_verdict),
     methods={
         "Domains": (
             "Residues are split in two where both parts move against each other at least 0.9 times "

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator, Sequence
 from io import StringIO
 from pathlib import Path
@@ -21,6 +22,7 @@ from pliant.report.sections.flexible import UnitFlexibility
 from pliant.report.sections.measured import Measured
 from pliant.report.sections.motions import Components
 from pliant.report.sections.pocket_scripts import chimerax_lines, pymol_lines
+from pliant.trajectory.chosen_frames import choose_frames
 from pliant.trajectory.frame_store import FrameStore
 from pliant.trajectory.kind import ENSEMBLE
 from pliant.trajectory.superposition import superpose_frames
@@ -80,29 +82,19 @@ def _write_ensemble(analysis: Analysis, folder: Path) -> list[Path]:
     start = moved.take(first)
     write_models(bfactors, atoms, start, values, [remark, reference.name])
     numbers = ", ".join(str(analysis.frames[k]) for k in frames)
-    remarks = [remark, *_wrapped(f"frames {numbers}")]
+    remarks = [remark, *textwrap.wrap(f"frames {numbers}", 68)]
     write_models(ensemble, atoms, moved, values, remarks, others)
     return [bfactors, ensemble]
 
 
 def _shown_frames(analysis: Analysis) -> np.ndarray:
     """At most MODELS frames spread over all; independent ones in the order of the first motion."""
-    count = min(MODELS, len(analysis.frames))
-    frames = np.unique(np.linspace(0, len(analysis.frames) - 1, count).round().astype(int))
+    frames = choose_frames(len(analysis.frames), MODELS)
     components = analysis.get(Components)
     if analysis.kind == ENSEMBLE and components and components.stride == 1:
         along = components.found.projections[frames, 0]
         return np.asarray(frames[np.argsort(along, kind="stable")])
     return frames
-
-
-def _wrapped(text: str, width: int = 68) -> list[str]:
-    words, lines = text.split(" "), [""]
-    for word in words:
-        if lines[-1] and len(lines[-1]) + len(word) >= width:
-            lines.append("")
-        lines[-1] += (" " if lines[-1] else "") + word
-    return lines
 
 
 def nmd(analysis: Analysis) -> Iterator[str]:

@@ -11,7 +11,9 @@ import numpy as np
 from pliant.base.verdict import Verdict
 from pliant.measure.stages.analysis import Analysis
 from pliant.measure.stages.parts import Part
+from pliant.report.page.html import sentence
 from pliant.report.section import Columns, Section
+from pliant.trajectory.chosen_frames import choose_frames
 from pliant.trajectory.kind import ENSEMBLE, PATH, TRANSITION
 
 
@@ -55,7 +57,7 @@ def caption(
 def why_skipped(analysis: Analysis, stage: str) -> str:
     """Why something was not measured, as a sentence; "" where it was."""
     why = analysis.skipped.get(stage, "")
-    return f"{why[:1].upper()}{why[1:]}." if why else ""
+    return sentence(why) if why else ""
 
 
 #: frames whose chemistry and contacts are looked at, spread over all
@@ -64,5 +66,4 @@ LOOKED_AT = 100
 
 def spread(analysis: Analysis) -> np.ndarray:
     """Places of at most LOOKED_AT frames, spread over those analysed."""
-    count = min(LOOKED_AT, len(analysis.frames))
-    return np.unique(np.linspace(0, len(analysis.frames) - 1, count).round().astype(int))
+    return choose_frames(len(analysis.frames), LOOKED_AT)

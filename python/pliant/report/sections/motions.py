@@ -177,7 +177,7 @@ def _draw_components(analysis: Analysis) -> Figure:
     explained = 100 * found.explained[:10]
     figure, (plane, scree) = style.new_figure((style.WIDE[0], 3.1), 1, 2, width_ratios=[1.3, 1])
     style.pad(figure, 0.1)
-    _draw_plane(figure, plane, analysis)
+    _draw_plane(plane, analysis)
     shares = [f"PC{k + 1} (Å), {share:.0f} %" for k, share in enumerate(explained[:2])]
     plane.set(xlabel=shares[0], ylabel=shares[1] if len(shares) > 1 else "")
     plane.set_aspect("equal", adjustable="datalim")
@@ -194,7 +194,7 @@ def _draw_components(analysis: Analysis) -> Figure:
     return figure
 
 
-def _draw_plane(figure: Figure, plane: Axes, analysis: Analysis) -> None:
+def _draw_plane(plane: Axes, analysis: Analysis) -> None:
     """Frames along two components: dots, in no order, or a path from start to end."""
     part, (x, label) = analysis[Components], analysis.axis
     first = part.found.projections[:, 0]
@@ -216,8 +216,7 @@ def _draw_plane(figure: Figure, plane: Axes, analysis: Analysis) -> None:
     plane.scatter(first[:1], second[:1], label="start", zorder=3, **ring)
     plane.legend(loc="lower right", bbox_to_anchor=(1, 1.01), handletextpad=0.2)
     plane.set_title("Path in PCA")
-    bar = figure.colorbar(drawn, ax=plane, label=label, pad=0.02, aspect=30)
-    bar.outline.set_visible(False)
+    style.colour_bar(plane, drawn, label)
 
 
 COMPONENTS = Measured(

@@ -13,7 +13,7 @@ from pliant.base.console import Table
 from pliant.base.verdict import Verdict
 from pliant.measure.shapes.other_shapes import REMARK_OF_SHAPES, OtherShapes, Shape, other_shapes
 from pliant.measure.stages.analysis import Analysis
-from pliant.measure.stages.names import chains_of, residue_labels
+from pliant.measure.stages.names import chains_of
 from pliant.measure.stages.parts import ReferenceStructure
 from pliant.report.multi_model import write_chosen
 from pliant.report.section import Columns, Picture, Values
@@ -55,7 +55,7 @@ def _verdict(analysis: Analysis) -> Verdict | None:
 def _turns(analysis: Analysis, shape: Shape) -> list[dict[str, Any]]:
     """Each piece that turned: its stretches, degrees, and the hinges at its ends."""
     atoms, turns = analysis.universe.atoms[analysis[OtherShapes].sites], shape.turns
-    every, chains = residue_labels(analysis.universe.residues), chains_of(atoms)
+    every, chains = analysis.residue_labels, chains_of(atoms)
     labels = [every[k] for k in atoms.resindices]
     turned = []
     for k in range(1, len(turns.angles)):
@@ -84,7 +84,7 @@ def _contacts_gone(analysis: Analysis, shape: Shape) -> list[str]:
     contacts = analysis.source.contacts
     if contacts is None or shape.gone is None:
         return []
-    labels, owners = residue_labels(analysis.universe.residues), analysis.universe.atoms.resindices
+    labels, owners = analysis.residue_labels, analysis.universe.atoms.resindices
     pairs = owners[contacts.joints[shape.gone]]
     return [f"{labels[a]}-{labels[b]}" for a, b in pairs]
 
@@ -100,7 +100,7 @@ def _contacts_text(analysis: Analysis, shape: Shape) -> str:
 
 def residues_text(analysis: Analysis, residues: np.ndarray) -> str:
     """Names of residues."""
-    labels = residue_labels(analysis.universe.residues)
+    labels = analysis.residue_labels
     return " ".join(labels[k] for k in residues)
 
 

@@ -170,9 +170,7 @@ def _draw_ramachandran(analysis: Analysis) -> Figure:
     axes.set_xticks(range(-180, 181, 60))
     axes.set_yticks(range(-180, 181, 60))
     axes.legend(loc="lower right", bbox_to_anchor=(1, 1.01))
-    label = "share (10⁻⁴ per square degree)"
-    bar = figure.colorbar(image, ax=axes, label=label, pad=0.02, aspect=30)
-    bar.outline.set_visible(False)
+    style.colour_bar(axes, image, "share (10⁻⁴ per square degree)")
     return figure
 
 

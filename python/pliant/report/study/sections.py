@@ -12,6 +12,7 @@ from pliant.measure.stages.analysis import Analysis
 from pliant.measure.stages.parts import Units
 from pliant.report.check.check_report import findings_table
 from pliant.report.page.additions import Additions
+from pliant.report.page.html import sentence
 from pliant.report.section import Section
 from pliant.report.sections.headings import ON_THE_WAY, STARTS
 from pliant.report.study.answers import LABELS
@@ -70,7 +71,7 @@ def _input(study: Study) -> Verdict | None:
 
 
 def _sentences(texts: list[str]) -> str:
-    return " ".join(f"{text[:1].upper()}{text[1:]}." for text in texts)
+    return " ".join(map(sentence, texts))
 
 
 def _path_verdict(path: MolecularPath, end: str) -> Verdict:
