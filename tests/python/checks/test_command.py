@@ -5,6 +5,7 @@ import json
 import struct
 
 import pytest
+from json_shape import holds
 from made_trajectories import molecule_run
 from pliant.report.check.command import main
 
@@ -126,20 +127,6 @@ SCHEMA = {
     "notes": [str],
     "picture": (str, type(None)),
 }
-
-
-def holds(value, schema, where="$"):
-    """Asserts that a JSON value has the names and types of the schema, all of them and no more."""
-    if isinstance(schema, dict):
-        assert isinstance(value, dict) and list(value) == list(schema), where
-        for name, inner in schema.items():
-            holds(value[name], inner, f"{where}.{name}")
-    elif isinstance(schema, list):
-        assert isinstance(value, list), where
-        for k, item in enumerate(value):
-            holds(item, schema[0], f"{where}[{k}]")
-    else:
-        assert isinstance(value, schema), f"{where}: {value!r}"
 
 
 def test_json_is_one_object_of_a_fixed_shape(path, capsys):

@@ -7,6 +7,7 @@ import json
 import MDAnalysis
 import numpy as np
 import pytest
+from json_shape import holds
 from made_trajectories import molecule_run
 from pliant.report.compare.command import main
 from real_files import DIPEPTIDE, ROOT
@@ -221,19 +222,6 @@ def test_bars_do_not_vary_in_ours_and_do_in_theirs(made, ours, tmp_path):
 def test_frames_are_spread_over_both(ours):
     report = pliant.compare(ours, ours, frames=7)
     assert len(report.atoms.ensembles.ours) == len(report.atoms.ensembles.theirs) == 7
-
-
-def holds(value, schema, where="$"):
-    if isinstance(schema, dict):
-        assert isinstance(value, dict) and list(value) == list(schema), where
-        for name, inner in schema.items():
-            holds(value[name], inner, f"{where}.{name}")
-    elif isinstance(schema, list):
-        assert isinstance(value, list), where
-        for k, item in enumerate(value):
-            holds(item, schema[0], f"{where}[{k}]")
-    else:
-        assert isinstance(value, schema), f"{where}: {value!r}"
 
 
 RMSF = {"labels": [str], "ours": [float], "theirs": [float], "pearson": float}
