@@ -157,7 +157,7 @@ class FramesOfH5md(Frames):
         masses = np.asarray(self._reader.masses())
         return masses if len(masses) else super().masses
 
-    @property
+    @cached_property
     def contacts(self) -> RecordedContacts | None:
         """Which a model held, and in which frames."""
         return contacts_of(self._reader, str(self.path))
