@@ -11,7 +11,7 @@ import math
 import os
 import shutil
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
@@ -117,6 +117,14 @@ class Parser(argparse.ArgumentParser):
             hint = f" (did you mean {like[0]}?)" if like else ""
             raise OptionError(f'unexpected argument "{word}"{hint}')
 
+    def given_besides(self, arguments: argparse.Namespace, those: Container[str]) -> str:
+        """The first option, or place, that is not as usual and not among `those`; "" if none is."""
+        for one in self._actions:
+            value = getattr(arguments, one.dest, one.default)
+            if one.dest not in those and value != one.default:
+                return one.option_strings[-1] if one.option_strings else str(value)
+        return ""
+
     def error(self, message: str) -> NoReturn:
         """Prints the one-line error and ends with exit code 2."""
         message = message.removeprefix("argument ")
@@ -161,6 +169,12 @@ def printable_name(path: str | os.PathLike[str]) -> str:
 def counted(count: int, what: str) -> str:
     """ "1 shard", "2 shards"."""
     return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
+def listed(names: Sequence[str], most: int) -> str:
+    """ "A, B and 3 more"."""
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
 
 
 def whole_number(least: int, *names: str, most: int | None = None) -> Callable[[str], int | str]:

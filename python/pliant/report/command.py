@@ -58,6 +58,8 @@ MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "ind
 Exit code: 0 analysed (even if bonds are off: see the verdict, or --json),
 1 the input cannot be read, 2 wrong usage."""
 
+#: options that an ensemble heeds; any other is refused
+WITH_ENSEMBLE = ("file", "output", "workers", "dpi", "json", "quiet")
 #: options that --help shows
 COMMON = ("--output", "--topology", "--select", "--superpose", "--distance", "--representatives")
 
@@ -143,11 +145,8 @@ def _analyse_ensemble(options: argparse.Namespace) -> int:
     from pliant.shards.flexibility import flexibility
     from pliant.trajectory.shards.plan import folder_of
 
-    usual = vars(_parser().parse_args([options.file]))
-    for name in sorted(set(usual) - {"file", "output", "workers", "dpi", "json", "quiet"}):
-        if getattr(options, name) != usual[name]:
-            option = name.replace("_", "-")
-            raise OptionError(f"--{option}: goes with one file, not with an ensemble")
+    if given := _parser().given_besides(options, WITH_ENSEMBLE):
+        raise OptionError(f"{given}: goes with one file, not with an ensemble")
     folder = folder_of(Path(options.file))
     output = Path(options.output or f"{folder.absolute().name}-report")
     with stages(options.quiet) as on_stage:

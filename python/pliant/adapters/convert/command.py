@@ -112,10 +112,8 @@ def _convert(arguments: argparse.Namespace) -> int:
 
 
 def _recover(arguments: argparse.Namespace) -> int:
-    usual = make_parser()
-    for name, value in vars(arguments).items():
-        if name not in WITH_RECOVER and value != usual.get_default(name):
-            raise OptionError(f"--{name}: does not go with --recover")
+    if given := make_parser().given_besides(arguments, WITH_RECOVER):
+        raise OptionError(f"{given}: does not go with --recover")
     recovery = recover(arguments.file, arguments.output, overwrite=arguments.overwrite)
     if arguments.json:
         console.print_json(vars(recovery))

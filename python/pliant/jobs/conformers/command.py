@@ -173,12 +173,9 @@ def _output(arguments: argparse.Namespace) -> Path:
 
 
 def _resumed(arguments: argparse.Namespace) -> Journal:
-    usual = vars(make_parser().parse_args([]))
     free = ("go_on", "threads", "json", "quiet", "verbose")
-    for name, value in vars(arguments).items():
-        if name not in free and value != usual[name]:
-            given = f"--{name.replace('_', '-')}" if name != "file" else value
-            raise OptionError(f"{given}: --continue goes on with what was asked for before")
+    if given := make_parser().given_besides(arguments, free):
+        raise OptionError(f"{given}: --continue goes on with what was asked for before")
     return resume(Path(arguments.go_on))
 
 

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from pliant.base import style
+from pliant.base.console import listed
 from pliant.measure.compared.residue_report import Profile, ResidueComparison, Subspaces
 from pliant.report.compare.comparison_report import (
     AtomComparison,
@@ -47,9 +48,8 @@ def draw_residues(report: ComparisonReport) -> Figure:
 
 def _title(report: ComparisonReport, ours: int, theirs: int) -> str:
     """Both files, with how many frames each has."""
-    first, second = (Path(path).name for path in (report.path, report.theirs[0]))
-    more = f" and {len(report.theirs) - 1} more" if len(report.theirs) > 1 else ""
-    return f"{first} ({ours} frames) and {second}{more} ({theirs})"
+    others = listed([Path(path).name for path in report.theirs], 1)
+    return f"{Path(report.path).name} ({ours} frames) and {others} ({theirs})"
 
 
 def _draw_profiles(axes: Axes, found: ResidueComparison) -> None:

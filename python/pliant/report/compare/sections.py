@@ -11,7 +11,7 @@ from dataclasses import asdict
 import numpy as np
 
 from pliant import _core
-from pliant.base.console import Table, printable_name
+from pliant.base.console import Table, counted, printable_name
 from pliant.measure.agreement import TEN
 from pliant.measure.compared.residue_report import ResidueComparison, Subspaces
 from pliant.report.build import Report, print_lines
@@ -29,9 +29,10 @@ def print_report(report: ComparisonReport) -> None:
 
 
 def _compared(report: ComparisonReport) -> Iterator[Line]:
-    yield f"ours    {printable_name(report.path)}: {_frames(_count(report, 'ours'))}"
+    ours, theirs = (counted(_count(report, whose), "frame") for whose in ("ours", "theirs"))
+    yield f"ours    {printable_name(report.path)}: {ours} compared"
     for k, path in enumerate(report.theirs):
-        frames = f": {_frames(_count(report, 'theirs'))}" if len(report.theirs) == 1 else ""
+        frames = f": {theirs} compared" if len(report.theirs) == 1 else ""
         yield f"{'theirs' if k == 0 else '      '}  {printable_name(path)}{frames}"
 
 
@@ -50,10 +51,6 @@ def _count(report: ComparisonReport, whose: str) -> int:
         return len(getattr(report.atoms.ensembles, whose))
     profile = getattr(report.residues, whose)
     return profile.frames if profile else 1
-
-
-def _frames(count: int) -> str:
-    return f"{count} frame{'s' if count != 1 else ''} compared"
 
 
 def _number(value: float, form: str = ".2f") -> str:

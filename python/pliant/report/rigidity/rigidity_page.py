@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from pliant._core import FileError, Rigidity, contact_kinds
+from pliant.base.console import counted
 from pliant.base.new_file import write_text
 from pliant.report.build import Report
 from pliant.report.page.html import disclosure, sentence, table
@@ -89,7 +90,7 @@ def _percent(part: int, whole: int) -> str:
 
 def _lead(facts: RigidityFacts) -> str:
     """What was found in one sentence, and what it hangs on."""
-    text = f"{facts.clusters} rigid cluster{'' if facts.clusters == 1 else 's'}"
+    text = counted(facts.clusters, "rigid cluster")
     if facts.named:
         share = _percent(int(facts.sizes[0]), len(facts.names))
         text += f"; the largest has {share} of the atoms"
@@ -100,7 +101,7 @@ def _lead(facts: RigidityFacts) -> str:
     free = facts.counts["degrees_of_freedom"]
     more = f"{free} internal degrees of freedom, counted with {_counted_with(facts)}."
     if rings := facts.counts["rings_of_six"]:
-        more += f" {rings} ring{'' if rings == 1 else 's'} of six bonds that may turn: {SIX}"
+        more += f" {counted(rings, 'ring')} of six bonds that may turn: {SIX}"
     if len(facts.energies):
         more += f" One cut-off is one answer. {READING}"
     return headline(sentence(text), more)

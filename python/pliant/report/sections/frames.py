@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pliant.base.console import listed
 from pliant.base.verdict import Verdict
 from pliant.measure.stages.analysis import Analysis
 from pliant.report.section import Columns
@@ -57,12 +58,10 @@ def _draws(analysis: Analysis) -> Verdict | None:
     sentence, details = "No frame had to be redrawn.", ""
     if len(again):
         sentence = f"{len(again)} of {count} frames had to be redrawn."
-        named = ", ".join(str(frame) for frame in again[:NAMED])
-        more = f" and {len(again) - NAMED} more" if len(again) > NAMED else ""
         details = (
-            f"The first attempts at frames {named}{more} failed; each took up to "
-            f"{int(redraws.max()) + 1} attempts. Motions in these directions "
-            "are under-represented."
+            f"The first attempts at frames {listed([str(frame) for frame in again], NAMED)} "
+            f"failed; each took up to {int(redraws.max()) + 1} attempts. Motions in these "
+            "directions are under-represented."
         )
     missing = _missing_frames(analysis)
     if missing:
@@ -86,7 +85,7 @@ KIND = Measured(
             "All counts of frames and atoms begin at 0. A step of a geometric run is a push and "
             "its resolution, not a time."
         ),
-        "Superposition": ("Frames are fitted by least squares (Kabsch) with equal weights."),
+        "Superposition": "Frames are fitted by least squares (Kabsch) with equal weights.",
     },
 )
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant.base.console import counted
+from pliant.base.console import counted, listed
 from pliant.measure.shapes.other_shapes import OtherShapes
 from pliant.measure.stages.parts import Units
 from pliant.report.sections.domains import RigidDomains, domain_line, domain_verdict
@@ -69,7 +69,7 @@ def _molecule(analysis: Analysis) -> str:
     names = sorted(set(units.chains[units.of_chain]) - {""})
     chains = f", chain{'s' * (len(names) > 1)} {', '.join(names)}" if names else ""
     others = [units.labels[k] for k in np.flatnonzero(~units.of_chain)]
-    beside = f"; beside them {_some(others)}" if others else ""
+    beside = f"; beside them {listed(others, MOST_NAMED)}" if others else ""
     return f"{np.count_nonzero(units.of_chain)} residues{chains}, {atoms}{beside}"
 
 
@@ -144,8 +144,3 @@ def _md_starts(study: Study) -> str:
     if study.check is None:
         return f"not tested: {study.why_no_check}"
     return study.check.verdicts["MD starts"].sentence
-
-
-def _some(names: list[str]) -> str:
-    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
-    return ", ".join(names[:MOST_NAMED]) + more
