@@ -19,7 +19,7 @@ from pliant.measure.stages.names import bar_labels
 from pliant.measure.stages.parts import Measurement
 from pliant.report.section import Columns, Fact, Picture, Shown, Values, table_of
 from pliant.report.sections.headings import EXACT
-from pliant.report.sections.measured import Measured, has
+from pliant.report.sections.measured import Measured, has, why_skipped
 
 BRIEF = "fixed distances"  #: what bars are to those who do not know the word
 #: what a residual of 0 is drawn as on a logarithmic axis
@@ -57,7 +57,7 @@ def _verdict(analysis: Analysis) -> Verdict:
     """Judges the bars of all frames analysed, from the coordinates."""
     residuals = analysis.get(Residuals)
     if residuals is None:
-        why = analysis.skipped["bar residuals"]
+        why = why_skipped(analysis, "bar residuals")
         return Verdict("open", "There are no bars in this file to judge.", why, BRIEF)
     within, broken = residuals.found.within, residuals.broken_promises
     details = _worst(analysis, residuals)
@@ -223,10 +223,8 @@ BARS = Measured(
         Picture(
             "residuals",
             _draw,
-            (
-                "How far the worst bar of each frame, and the bars overall, are from their rest "
-                "lengths: computed anew from the coordinates in the file."
-            ),
+            "How far the worst bar of each frame, and the bars overall, are from their rest "
+            "lengths: computed anew from the coordinates in the file.",
         )
     ],
     methods={

@@ -118,13 +118,16 @@ RMSD = Measured(
         Picture(
             "rmsd",
             _draw_rmsd,
-            (
-                "Root mean square distance of the atoms from the first frame, or the start "
-                "structure of an ensemble, after superposition."
-            ),
+            "Root mean square distance of the atoms from the first frame, or the start structure "
+            "of an ensemble, after superposition.",
         )
     ],
-    methods={"RMSD": "Root mean square distance from the first frame analysed."},
+    methods={
+        "RMSD": (
+            "Root mean square distance from the first frame analysed, of an ensemble from the "
+            "start structure."
+        )
+    },
 )
 
 
@@ -145,7 +148,8 @@ def _gyration(analysis: Analysis) -> Iterator[Gyration]:
 
 def _gyration_facts(analysis: Analysis) -> Iterator[Fact]:
     radius = analysis[Gyration].radius
-    yield Fact(f"{radius.mean():.2f}", "Å", f"radius of gyration, ± {radius.std():.2g} Å")
+    meaning = f"radius of gyration, standard deviation {radius.std():.2g} Å"
+    yield Fact(f"{radius.mean():.2f}", "Å", meaning)
 
 
 def _draw_gyration(analysis: Analysis) -> Figure:
@@ -265,10 +269,8 @@ DISTANCES = Measured(
         Picture(
             "distances",
             _draw_distances,
-            (
-                "The distances that were asked for, between centres of the atoms selected; "
-                "dashed: mean."
-            ),
+            "The distances that were asked for, between centres of the atoms selected; dashed: "
+            "mean.",
         )
     ],
 )
