@@ -137,11 +137,10 @@ def colour_bar(axes: Axes, drawn: ScalarMappable, label: str) -> None:
     bar.outline.set_visible(False)
 
 
-def legend_above(axes: Axes) -> None:
-    """Names what is drawn, above it on the right."""
-    axes.legend(
-        loc="lower right", bbox_to_anchor=(1, 1.01), ncols=5, columnspacing=1.3, handlelength=1.6
-    )
+def legend_above(axes: Axes, *drawn: Any) -> None:
+    """Names what is drawn, above it on the right; drawn: handles and names, instead of its own."""
+    place: dict[str, Any] = {"loc": "lower right", "bbox_to_anchor": (1, 1.01), "ncols": 5}
+    axes.legend(*drawn, columnspacing=1.3, handlelength=1.6, **place)
 
 
 def line_width(count: int) -> float:

@@ -36,10 +36,8 @@ class AnalysisReport(Displayed):
     """What `analyse` found."""
 
     analysis: Analysis  #: the results, as arrays
-    outputs: dict[str, Any] = field(
-        default_factory=dict
-    )  #: paths of the files, if any were written
-
+    #: paths of the files, if any were written
+    outputs: dict[str, Any] = field(default_factory=dict)
     #: where frames from memory are, as long as they may be read
     folder: tempfile.TemporaryDirectory[str] | None = field(default=None, repr=False)
 

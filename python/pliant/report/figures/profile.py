@@ -77,9 +77,6 @@ def domain_strip(axes: Axes, domain: np.ndarray) -> None:
     look: dict[str, Any] = {"lw": 6, "solid_capstyle": "butt"}
     for part in chain_parts(domain):
         if domain[part.start] != LOOSE:
-            ends, colour = (
-                [part.start - 0.5, part.stop - 0.5],
-                style.DOMAIN_COLOURS[domain[part.start]],
-            )
-            place = axes.get_xaxis_transform()
+            ends, place = [part.start - 0.5, part.stop - 0.5], axes.get_xaxis_transform()
+            colour = style.DOMAIN_COLOURS[domain[part.start]]
             axes.plot(ends, [0.012, 0.012], color=colour, transform=place, **look)

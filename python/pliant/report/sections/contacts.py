@@ -93,8 +93,8 @@ def _tables(analysis: Analysis) -> Iterator[Table]:
     for k in least[np.argsort(share[least], kind="stable")][:5]:
         a, b = found.pairs[k]
         rows.append((f"{labels[a]} – {labels[b]}", "among the least kept", f"{share[k]:.0%}"))
-    caption = f"Contacts of residues, in {found.frames} frames"
-    yield Table(caption, ("contacts", "", "number, share"), rows)
+    title = f"Contacts of residues, in {found.frames} frames"
+    yield Table(title, ("contacts", "", "number, share"), rows)
 
 
 def _draw(analysis: Analysis) -> Figure:

@@ -112,16 +112,14 @@ def _per_frame(analysis: Analysis) -> Columns:
 def _tables(analysis: Analysis) -> Iterator[Table]:
     found = analysis[Components].found
     share, spread = participation(found.components[:5]), collectivity(found.components[:5])
-    table = Table("Principal components", ("", *COLUMNS))
+    columns = ("", "share", "cosine content", "collectivity", "moves most")
+    table = Table("Principal components", columns)
     for k, part in enumerate(found.explained[:5]):
         cosine = f"{found.cosine_content[k]:.2f}" if k < len(found.cosine_content) else "–"
         moves = _moves(analysis, share[k])
         row = (f"PC{k + 1}", f"{100 * part:.1f} %", cosine, f"{spread[k]:.2f}", moves)
         table.rows.append(row)
     yield table
-
-
-COLUMNS = ("share", "cosine content", "collectivity", "moves most")
 
 
 def _moves(analysis: Analysis, share: np.ndarray) -> str:
@@ -155,17 +153,9 @@ def _draw_motions(analysis: Analysis) -> Figure:
             row.plot(place, heights, color=style.BLUE, lw=1.2)
         row.set_ylabel(f"PC{k + 1} (Å)")
         row.set_ylim(bottom=0)
-        text, look = f"{100 * found.explained[k]:.0f} % of the motion", {"fontsize": 8.5}
-        row.text(
-            0.995,
-            0.93,
-            text,
-            ha="right",
-            va="top",
-            transform=row.transAxes,
-            color=style.INK,
-            **look,
-        )
+        text = f"{100 * found.explained[k]:.0f} % of the motion"
+        corner = {"ha": "right", "va": "top", "transform": row.transAxes}
+        row.text(0.995, 0.93, text, color=style.INK, fontsize=8.5, **corner)
     style.chain_axis(axes[-1, 0], units.numbers[moved], chains)
     axes[0, 0].set_title("Collective motions: what each moves")
     return figure

@@ -135,8 +135,7 @@ def _draw(analysis: Analysis) -> Figure:
         handles, names = panel.get_legend_handles_labels()
         named |= dict(zip(names, handles, strict=True))
     axes[-1, 0].set_xlabel(label)
-    place = {"loc": "lower right", "bbox_to_anchor": (1, 1.01), "ncols": 4}
-    axes[0, 0].legend(named.values(), named, columnspacing=1.3, handlelength=1.6, **place)
+    style.legend_above(axes[0, 0], named.values(), named)
     return figure
 
 
