@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pliant._core import InputError, Structure
-from pliant.base.extras import needed_by
+from pliant.base.extras import late, needed_by
 from pliant.base.input_files import expect_file
 from pliant.trajectory.frames import (
     Frames,
@@ -22,7 +22,9 @@ from pliant.trajectory.frames import (
 )
 from pliant.trajectory.h5md import FramesOfH5md
 from pliant.trajectory.shards.plan import SHARDS, folder_of, is_ensemble
-from pliant.trajectory.sources import H5MD, kind_of, later, structure_of
+from pliant.trajectory.sources import H5MD, kind_of, structure_of
+
+ensemble, universe = late("pliant.trajectory.shards.ensemble"), late("pliant.trajectory.universe")
 
 
 class FramesOfUniverse(Frames):
@@ -105,8 +107,8 @@ def _of_path(path: Path, topology: Any) -> Frames:
     if topology is None:
         return FramesOfModels(path)
     with needed_by("pliant.Trajectory"):
-        universe = later("pliant.trajectory.universe", "open_universe")(path, topology)
-    return FramesOfUniverse(universe, structure_of(universe))
+        atoms = universe.open_universe(path, topology)
+    return FramesOfUniverse(atoms, structure_of(atoms))
 
 
 def is_recorded(path: str | os.PathLike[str]) -> bool:
@@ -117,8 +119,7 @@ def is_recorded(path: str | os.PathLike[str]) -> bool:
 def recorded(path: str | os.PathLike[str]) -> Frames:
     """The frames of an H5MD file or an ensemble."""
     if is_ensemble(path):
-        shards = later("pliant.trajectory.shards.ensemble", "EnsembleFrames")(folder_of(path))
-        assert isinstance(shards, Frames)
+        shards: Frames = ensemble.EnsembleFrames(folder_of(path))
         return shards
     return one_file(path)
 

@@ -6,7 +6,6 @@ An object is known by its attributes, so that it may be of a package that is not
 
 from __future__ import annotations
 
-import importlib
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -17,7 +16,8 @@ from pliant._core import FileError, OptionError, Structure
 from pliant.base.extras import late
 from pliant.base.refusals import EXPLAINED, shown
 
-difflib = late("difflib")
+adapters, difflib = late("pliant.adapters"), late("difflib")
+opened = late("pliant.trajectory.opened")
 
 H5MD = (".h5md", ".h5", ".hdf5")
 
@@ -83,14 +83,9 @@ def _has(*names: str) -> Callable[[Any], bool]:
     return lambda given: all(hasattr(given, name) for name in names)
 
 
-def later(module: str, name: str) -> Any:
-    """A function of a module that builds on this one."""
-    return getattr(importlib.import_module(module), name)
-
-
 def _adapter(name: str) -> Callable[[Any], Any]:
     """A function of pliant.adapters, imported when it is called."""
-    return lambda given: later("pliant.adapters", name)(given)
+    return lambda given: getattr(adapters, name)(given)
 
 
 def _frames(name: str) -> Callable[[Any, Structure], Any]:
@@ -105,7 +100,7 @@ def _first(given: Any, structure: Structure) -> Any:
 def _read(path: str | os.PathLike[str], **options: Any) -> Structure:
     """The structure in a file, or the first of a trajectory of ours."""
     if Path(path).suffix.lower() in H5MD:
-        found: Structure = later("pliant.trajectory.opened", "one_file")(path).structure
+        found: Structure = opened.one_file(path).structure
         return found
     try:
         return _core.read(path, **options)

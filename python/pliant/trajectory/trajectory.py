@@ -15,9 +15,10 @@ import numpy.typing as npt
 
 from pliant._core import OptionError, Structure
 from pliant.base.display import Displayed, Facts
+from pliant.base.extras import late
 from pliant.trajectory.frames import Frames, FramesInMemory, Positions
 from pliant.trajectory.opened import frames_of
-from pliant.trajectory.sources import Molecule, later, structure_of
+from pliant.trajectory.sources import Molecule, structure_of
 
 if TYPE_CHECKING:
     import MDAnalysis
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
     from pliant.play.widget import PlayView
+
+adapters, writing = late("pliant.adapters"), late("pliant.adapters.convert.write")
+play, report = late("pliant.play.view"), late("pliant.report.suite")
 
 #: What chooses frames: a slice, numbers of frames, or a truth value for each.
 Chosen = slice | Sequence[int] | npt.NDArray[np.generic]
@@ -90,39 +94,39 @@ class HasFrames:
         OptionError, InputError, FileError, ImportError
             As `convert`.
         """
-        convert = later("pliant.adapters.convert.write", "convert")
-        convert(self, output, select=select, every=every, superpose=superpose, overwrite=overwrite)
+        how = {"select": select, "every": every, "superpose": superpose, "overwrite": overwrite}
+        writing.convert(self, output, **how)
         return Path(output)
 
     def to_mdanalysis(self) -> MDAnalysis.Universe:
         """A Universe with names, residues and bonds, and all frames in memory."""
-        return later("pliant.adapters", "to_mdanalysis")(self)
+        return adapters.to_mdanalysis(self)
 
     def to_rdkit(self) -> Mol:
         """An rdkit.Chem.Mol with a conformer for each frame."""
-        made: Mol = later("pliant.adapters", "to_rdkit")(self)
+        made: Mol = adapters.to_rdkit(self)
         return made
 
     def to_openmm(self, frame: int = 0) -> openmm.app.Modeller:
         """An openmm.app.Modeller: the topology, with the positions of one frame."""
-        return later("pliant.adapters", "to_openmm")(self, frame)
+        return adapters.to_openmm(self, frame)
 
     def to_prody(self) -> prody.AtomGroup:
         """A prody.AtomGroup with a coordinate set for each frame."""
-        return later("pliant.adapters", "to_prody")(self)
+        return adapters.to_prody(self)
 
     def to_mdtraj(self) -> mdtraj.Trajectory:
         """An mdtraj.Trajectory of all frames."""
-        return later("pliant.adapters", "to_mdtraj")(self)
+        return adapters.to_mdtraj(self)
 
     def view(self, *, model: str = "auto", height: int = 560) -> PlayView:
         """Shows the frames in a notebook, as `pliant.view` does."""
-        shown: PlayView = later("pliant.play.view", "view")(self, model=model, height=height)
+        shown: PlayView = play.view(self, model=model, height=height)
         return shown
 
     def analyse(self, output: str | os.PathLike[str] | None = None, **options: Any) -> Any:
         """Analyses the frames as `pliant.analyse` does, with its options: an AnalysisReport."""
-        return later("pliant.report.suite", "analyse")(self, output, **options)
+        return report.analyse(self, output, **options)
 
 
 class Trajectory(HasFrames, Displayed):

@@ -210,9 +210,7 @@ def open_frames(
     """
     if is_recorded(path):
         frames = recorded(path)
-        if topology is None:
-            return frames, universe_of(frames)
-        return frames, open_universe(path, topology)
+        return frames, universe_of(frames) if topology is None else open_universe(path, topology)
     universe = open_universe(path, topology)
     return FramesOfUniverse(universe), universe
 
