@@ -4,16 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from pliant.measure.shapes.medoids import k_medoids
-from pliant.shards.over_shards import each_part, parts_of
-from pliant.shards.sums import blocks
+from pliant.shards.over_shards import each_part
+from pliant.shards.sums import Part, blocks, tasks_of
 from pliant.trajectory.shards.ensemble import EnsembleFrames
-from pliant.trajectory.shards.inspect_shard import ShardRecord, counted_shard, walkers_of
-from pliant.trajectory.shards.plan import EnsemblePlan
+from pliant.trajectory.shards.inspect_shard import walkers_of
 from pliant.trajectory.superposition import pairwise_rmsd, rmsd_to
 
 CLUSTERS = 10
@@ -36,13 +34,9 @@ class Clusters:
 
 
 @dataclass
-class _Task:
-    """A part of the shards, for one process."""
+class _Task(Part):
+    """To which frames all others are dealt."""
 
-    plan: EnsemblePlan
-    paths: list[Path]
-    records: list[ShardRecord | None]  #: what to check the files by, where that is to be done
-    atoms: np.ndarray  #: (U,)
     medoids: np.ndarray  #: (k, U, 3)
 
 
@@ -96,9 +90,7 @@ def _result(
 def _counts(
     frames: EnsembleFrames, atoms: np.ndarray, medoids: np.ndarray, workers: int
 ) -> _Counts:
-    each = zip(parts_of(frames.paths), parts_of(frames.records_to_check()), strict=True)
-    tasks = [_Task(frames.plan, paths, records, atoms, medoids) for paths, records in each]
-    parts = each_part(_counts_of, tasks, workers)
+    parts = each_part(_counts_of, tasks_of(_Task, frames, atoms, medoids), workers)
     counts = next(parts)
     for part in parts:
         counts.add(part)
@@ -109,8 +101,7 @@ def _counts_of(task: _Task) -> _Counts:
     k = len(task.medoids)
     frames, sizes = np.zeros(2, dtype=np.int64), np.zeros(k, dtype=np.int64)
     counts = _Counts(frames, np.zeros((2, k)), np.zeros(k), sizes, np.zeros(k))
-    for path, record in zip(task.paths, task.records, strict=True):
-        shard = counted_shard(task.plan, record, path)
+    for shard in task.shards():
         walkers = walkers_of(shard, task.plan)
         every = np.ones(len(walkers), dtype=bool)
         dealt = [rmsd_to(some, task.medoids) for _, some in blocks(shard, task.atoms, every)]

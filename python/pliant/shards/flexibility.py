@@ -19,8 +19,8 @@ from pliant.measure.stages.names import atom_labels
 from pliant.measure.stages.parts import Units
 from pliant.measure.stages.units import single_atoms, trace_of, trace_units
 from pliant.shards.clusters import CLUSTERS, Clusters, clusters
-from pliant.shards.over_shards import each_part, parts_of
-from pliant.shards.sums import Half, Sums, Task, mean_of, sums_of
+from pliant.shards.over_shards import each_part
+from pliant.shards.sums import Half, Sums, Task, mean_of, sums_of, tasks_of
 from pliant.trajectory.shards.ensemble import EnsembleFrames
 from pliant.trajectory.universe import universe_of
 
@@ -128,12 +128,8 @@ def _over(
     workers: int,
 ) -> Iterator[Result]:
     """The results of parts of the shards, in their order."""
-    has_modes = len(atoms) <= MOST_FOR_MODES
-    parts = zip(parts_of(frames.paths), parts_of(frames.records_to_check()), strict=True)
-    tasks = [
-        Task(frames.plan, paths, records, atoms, reference, has_modes) for paths, records in parts
-    ]
-    yield from each_part(work, tasks, workers)
+    tasks = tasks_of(Task, frames, atoms, reference, len(atoms) <= MOST_FOR_MODES)
+    return each_part(work, tasks, workers)
 
 
 def _result(

@@ -3,20 +3,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
+from pliant.shards.over_shards import parts_of
 from pliant.trajectory.drawn_by import is_near
 from pliant.trajectory.h5md import FramesOfH5md
 from pliant.trajectory.recorded_contacts import HELD
+from pliant.trajectory.shards.ensemble import EnsembleFrames
 from pliant.trajectory.shards.inspect_shard import ShardRecord, counted_shard, walkers_of
 from pliant.trajectory.shards.plan import EnsemblePlan
 from pliant.trajectory.superposition import superpose_onto
 
 _BLOCK_BYTES = 16 << 20  #: of the frames that are read at once
+
+Made = TypeVar("Made")
 
 
 @dataclass
@@ -92,20 +97,32 @@ class Sums:
 
 
 @dataclass
-class Task:
-    """A part of the shards, for one process."""
+class Part:
+    """Some of the shards, for one process."""
 
     plan: EnsemblePlan
     paths: list[Path]
     records: list[ShardRecord | None]  #: what to check the files by, where that is to be done
     atoms: np.ndarray  #: (U,) one of each unit
-    reference: np.ndarray  #: (U, 3) Angstrom
-    has_modes: bool
 
     def shards(self) -> Iterator[FramesOfH5md]:
         """The frames of each. Raises as `counted_shard`."""
         for path, record in zip(self.paths, self.records, strict=True):
             yield counted_shard(self.plan, record, path)
+
+
+@dataclass
+class Task(Part):
+    """What to superpose their frames on."""
+
+    reference: np.ndarray  #: (U, 3) Angstrom
+    has_modes: bool
+
+
+def tasks_of(kind: Callable[..., Made], frames: EnsembleFrames, *more: object) -> list[Made]:
+    """All shards, dealt to parts of this kind; `more`: its fields from `atoms` on."""
+    parts = zip(parts_of(frames.paths), parts_of(frames.records_to_check()), strict=True)
+    return [kind(frames.plan, paths, records, *more) for paths, records in parts]
 
 
 def mean_of(task: Task) -> tuple[int, np.ndarray]:
