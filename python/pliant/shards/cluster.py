@@ -130,9 +130,8 @@ def dashboard_of(client: Any) -> str | None:
 
 def _client_of_scheduler(address: str) -> Any:
     try:
-        addressing.get_address_host_port(
-            address, strict=True
-        )  # a client that fails later leaves a trace
+        # A client that fails later leaves a trace.
+        addressing.get_address_host_port(address, strict=True)
         return distributed.Client(address, timeout=_ANSWER_SECONDS, set_as_default=False)
     except (OSError, ValueError) as error:
         raise OptionError(f"--scheduler {address}: {error}") from None

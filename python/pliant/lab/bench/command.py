@@ -84,7 +84,7 @@ def _run(name: str, words: list[str]) -> int:
     if picture:
         need("a picture of pliant lab bench", "matplotlib", extra="lab")
     with console.progress(name, given["quiet"] or given["json"]) as show:
-        own = {name: given.pop(name) for name in list(given) if name not in COMMON}
+        own = {option: value for option, value in given.items() if option not in COMMON}
         found: Results = bench.measure(**own, progress=show)
     if given["csv"]:
         write_csv(found.rows, given["csv"])

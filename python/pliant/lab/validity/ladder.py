@@ -13,7 +13,7 @@ import numpy as np
 
 from pliant._core import OptionError
 from pliant.lab.pairs.directions import directions_of
-from pliant.lab.sources import Files, MissingSourceError, Source
+from pliant.lab.sources import Files, MissingSourceError
 from pliant.lab.validity import measure
 from pliant.lab.validity.cases import (
     CHANGES,
@@ -130,7 +130,7 @@ class Ladder:
         found, missing = [], []
         for source in CRYSTALS:
             try:
-                found.append(self._crystal(source))
+                found.append(measure.crystal_figures(b_factors_of(self._files.find(source))))
             except MissingSourceError as error:
                 missing.append(str(error))
         if not found:
@@ -139,20 +139,9 @@ class Ladder:
         ours, anm, gnm = table.mean(axis=0)
         errors = alike.bootstrap(len(table), lambda i: list(table[i].mean(axis=0)), DRAWS)
         note = "; ".join([f"estimate_b_factors; {len(table)} X-ray files", *missing])
-        goals = {"must": gnm, "aim": gnm + 0.04}
-        figure, peers = "r of estimated and measured root of B, mean", {"anm": anm, "gnm": gnm}
-        row = Row(
-            "crystals",
-            figure,
-            ours,
-            errors[0],
-            anm_error=errors[1],
-            data=HELD_OUT,
-            note=note,
-            **peers,
-            **goals,
-        )
-        return [row]
+        figure = "r of estimated and measured root of B, mean"
+        others = {"anm": anm, "anm_error": errors[1], "gnm": gnm, "must": gnm, "aim": gnm + 0.04}
+        return [Row("crystals", figure, ours, errors[0], **others, data=HELD_OUT, note=note)]
 
     def _clashes(self) -> list[Row]:
         """A row a structure; one whose file is missing says so."""
@@ -181,9 +170,6 @@ class Ladder:
                 self._looks += subject.looks
         frames = sum(look.frames for look in looks)
         return rows + (measure.exact_rows(f"{frames} frames of turns", looks) if looks else [])
-
-    def _crystal(self, source: Source) -> list[float]:
-        return measure.crystal_figures(b_factors_of(self._files.find(source)))
 
     def _exact(self) -> list[Row]:
         rows = measure.exact_rows(f"all {self.found.sampled} frames", self._looks)
