@@ -114,7 +114,6 @@ def stress(
     *,
     techniques: Sequence[str] = (),
     weightings: Sequence[float] = (0.5,),
-    limit_seconds: float = LIMIT_SECONDS,
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> Stress:
     """Tries all techniques, or those named, on all cases."""
@@ -129,7 +128,7 @@ def stress(
             for case, start in ((case, case.make()) for case in batch)
             for row, job in _entries(case, start, techniques, weightings)
         ]
-        outcomes, _ = run_jobs([job for *_, job in plan], limit_seconds, worker=WORKER)
+        outcomes, _ = run_jobs([job for *_, job in plan], LIMIT_SECONDS, worker=WORKER)
         for (case, start, row, _), outcome in zip(plan, outcomes, strict=True):
             _fill(case, start, row, outcome)
             found.rows.append(row)

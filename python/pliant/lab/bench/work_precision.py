@@ -43,7 +43,6 @@ def work_precision(
     tolerances: Sequence[float] = TOLERANCES,
     techniques: Sequence[str] = (),
     repeats: int = REPEATS,
-    limit_seconds: float = LIMIT_SECONDS,
     mass_weighted: bool = False,
     peers: str = "all",
     progress: Callable[[int, int], None] = lambda *_: None,
@@ -61,7 +60,7 @@ def work_precision(
     found = prepare(target, bars, displacement, seed, tolerances)
     found.notes += [note] if note else []
     race(
-        found, [*theirs, *ours], target.broken(displacement, seed), repeats, limit_seconds, progress
+        found, [*theirs, *ours], target.broken(displacement, seed), repeats, LIMIT_SECONDS, progress
     )
     if peers == "all":
         race_gromacs(found, repeats, progress)

