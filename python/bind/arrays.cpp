@@ -194,9 +194,12 @@ PositionsView view_of(std::vector<Vec3>& positions, nb::handle owner) {
 
 PositionsView new_positions(std::vector<Vec3> positions) {
   auto* kept = new std::vector<Vec3>(std::move(positions));
-  const nb::capsule owner(kept,
-                          [](void* p) noexcept { delete static_cast<std::vector<Vec3>*>(p); });
-  return view_of(*kept, owner);
+  return view_of(*kept, owner_of(kept));
+}
+
+FramesView new_frames(std::vector<Vec3> positions, std::size_t frames, std::size_t joints) {
+  auto* kept = new std::vector<Vec3>(std::move(positions));
+  return FramesView(reinterpret_cast<double*>(kept->data()), {frames, joints, 3}, owner_of(kept));
 }
 
 PositionsConstView const_view_of(std::span<const Vec3> positions, nb::handle owner) {

@@ -24,13 +24,14 @@ struct ArrayLike {
 
 using OptionalArray = std::optional<ArrayLike>;
 
-/// An argument whose memory is used as it is, and changed.
 /// An argument whose memory is used directly, and changed.
 struct PositionsInPlace {
   nb::object object;
 };
 
 using PositionsView = nb::ndarray<nb::numpy, double, nb::shape<-1, 3>, nb::c_contig>;
+/// (F, N, 3)
+using FramesView = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
 using PositionsConstView = nb::ndarray<nb::numpy, const double, nb::shape<-1, 3>, nb::c_contig>;
 
 /// Keeps the memory of an (N, 3) array alive while it is used. Made and destroyed with the GIL
@@ -86,12 +87,20 @@ std::size_t joints_named_in(const ArrayLike& pairs, const char* name);
 std::vector<Joint> joints_from(const ArrayLike& argument, const char* name,
                                std::size_t joint_count);
 
+/// Deletes `kept` with the last array that has its memory.
+template <class T>
+nb::capsule owner_of(std::vector<T>* kept) {
+  return {kept, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); }};
+}
+
 /// A view of memory that belongs to `owner`, which the view keeps alive.
 PositionsView view_of(std::vector<Vec3>& positions, nb::handle owner);
 PositionsConstView const_view_of(std::span<const Vec3> positions, nb::handle owner);
 
 /// Moves `positions` into a new array.
 PositionsView new_positions(std::vector<Vec3> positions);
+/// Moves frames of `joints` positions each, one after the other, into a new array.
+FramesView new_frames(std::vector<Vec3> positions, std::size_t frames, std::size_t joints);
 
 template <class T>
 using Array1 = nb::ndarray<nb::numpy, T, nb::shape<-1>, nb::c_contig>;
@@ -108,16 +117,14 @@ Array1<const T> const_view_of(std::span<const T> values, nb::handle owner) {
 template <class T>
 Array1<T> array_of(std::vector<T> values) {
   auto* kept = new std::vector<T>(std::move(values));
-  nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
-  return Array1<T>(kept->data(), {kept->size()}, owner);
+  return Array1<T>(kept->data(), {kept->size()}, owner_of(kept));
 }
 
 /// The same with two columns; `values` holds row after row.
 template <class T>
 Array2<T> pairs_array_of(std::vector<T> values) {
   auto* kept = new std::vector<T>(std::move(values));
-  nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
-  return Array2<T>(kept->data(), {kept->size() / 2, 2}, owner);
+  return Array2<T>(kept->data(), {kept->size() / 2, 2}, owner_of(kept));
 }
 
 /// An array of truth values.

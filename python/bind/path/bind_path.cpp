@@ -78,20 +78,17 @@ std::shared_ptr<PathEnds> matched(const Structure& start, const Structure& end, 
 }
 
 /// (F, N, 3) of the frames from one on.
-nb::ndarray<nb::numpy, double, nb::ndim<3>> path_positions(PythonPathWalk& self,
-                                                           std::size_t first) {
-  auto kept = std::make_unique<std::vector<Vec3>>();
+FramesView path_positions(PythonPathWalk& self, std::size_t first) {
+  std::vector<Vec3> all;
   const std::size_t joints = self.ends()->start.model.positions.size();
   const std::size_t count = self.look([&](const PathWalk& walk) {
     for (std::size_t k = first; k < walk.frame_count(); ++k) {
       const auto positions = walk.frame(k).positions;
-      kept->insert(kept->end(), positions.begin(), positions.end());
+      all.insert(all.end(), positions.begin(), positions.end());
     }
     return walk.frame_count() - std::min(first, walk.frame_count());
   });
-  const std::vector<Vec3>* all = kept.release();
-  nb::capsule owner(all, [](void* p) noexcept { delete static_cast<std::vector<Vec3>*>(p); });
-  return {const_cast<Vec3*>(all->data()), {count, joints, 3}, owner};
+  return new_frames(std::move(all), count, joints);
 }
 
 void record_walk(PythonPathWalk& self, LockedRecorder& recorder) {

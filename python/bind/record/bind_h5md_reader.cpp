@@ -45,19 +45,13 @@ PositionsView positions_of(LockedReader& self, std::int64_t frame) {
       [&](const H5mdReader& reader) { return reader.positions(frame_at(reader, frame)); }));
 }
 
-using Frames = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
-
-Frames block_of(LockedReader& self, std::int64_t first, std::int64_t count) {
-  auto* kept = new std::vector<Vec3>;
-  const nb::capsule owner(kept,
-                          [](void* p) noexcept { delete static_cast<std::vector<Vec3>*>(p); });
+FramesView block_of(LockedReader& self, std::int64_t first, std::int64_t count) {
   std::size_t joints = 0;
-  self.call([&](const H5mdReader& reader) {
+  std::vector<Vec3> positions = self.call([&](const H5mdReader& reader) {
     joints = reader.joint_count();
-    *kept = reader.block(first, count);
+    return reader.block(first, count);
   });
-  return Frames(reinterpret_cast<double*>(kept->data()),
-                {static_cast<std::size_t>(count), joints, 3}, owner);
+  return new_frames(std::move(positions), static_cast<std::size_t>(count), joints);
 }
 
 /// What the member function `Call` returns, as an array.

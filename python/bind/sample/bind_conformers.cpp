@@ -11,20 +11,18 @@
 namespace pliant::python {
 namespace {
 
-using Frames = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
 using GivenFrames = nb::ndarray<const double, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
 
 /// (F, N, 3) of as many sets of N positions.
 template <class Sets, class PositionsIn>
-Frames frames_of(const Sets& sets, std::size_t atoms, const PositionsIn& positions_in) {
-  auto* flat = new std::vector<Vec3>;
-  nb::capsule owner(flat, [](void* p) noexcept { delete static_cast<std::vector<Vec3>*>(p); });
-  flat->reserve(sets.size() * atoms);
+FramesView frames_of(const Sets& sets, std::size_t atoms, const PositionsIn& positions_in) {
+  std::vector<Vec3> flat;
+  flat.reserve(sets.size() * atoms);
   for (const auto& set : sets) {
     const std::vector<Vec3>& x = positions_in(set);
-    flat->insert(flat->end(), x.begin(), x.end());
+    flat.insert(flat.end(), x.begin(), x.end());
   }
-  return Frames(reinterpret_cast<double*>(flat->data()), {sets.size(), atoms, 3}, owner);
+  return new_frames(std::move(flat), sets.size(), atoms);
 }
 
 std::span<const Vec3> frame_of(const GivenFrames& frames, std::size_t frame) {

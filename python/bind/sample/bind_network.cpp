@@ -12,22 +12,22 @@
 namespace pliant::python {
 namespace {
 
-using Directions = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
-
 nb::tuple modes_of(const nb::handle& structure, const std::string& network, std::size_t count) {
   const nb::object given = structure_from(structure);
   const auto& from = nb::cast<const Structure&>(given);
   const NetworkNodes nodes = nodes_of(from);
   check(nodes, from.size());
   const NetworkModes modes = network_modes(nodes, network, count);
-  std::vector<double> flat;
-  for (std::size_t k = 0; k < modes.variances.size(); ++k)
-    flat.insert(flat.end(), modes.directions.row(k).begin(), modes.directions.row(k).end());
-  auto* kept = new std::vector<double>(std::move(flat));
-  nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
-  const Directions directions(kept->data(), {modes.variances.size(), nodes.positions.size(), 3},
-                              owner);
-  return nb::make_tuple(array_of(modes.variances), directions, new_positions(nodes.positions));
+  std::vector<Vec3> directions;
+  for (std::size_t k = 0; k < modes.variances.size(); ++k) {
+    const std::span<const double> row = modes.directions.row(k);
+    for (std::size_t i = 0; i < row.size(); i += 3)
+      directions.push_back({row[i], row[i + 1], row[i + 2]});
+  }
+  return nb::make_tuple(
+      array_of(modes.variances),
+      new_frames(std::move(directions), modes.variances.size(), nodes.positions.size()),
+      new_positions(nodes.positions));
 }
 
 /// Residues alone: waters are everywhere in crystals, and ligands are no part of the chain.

