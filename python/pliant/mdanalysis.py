@@ -8,5 +8,5 @@ From then on ``MDAnalysis.Universe("out.h5md")`` has names, residues and bonds f
 from pliant.base.extras import needed_by
 
 with needed_by("pliant.mdanalysis"):
-    from pliant.trajectory.universe import FramesReader as FramesReader
+    from pliant.trajectory.frames_reader import FramesReader as FramesReader
     from pliant.trajectory.universe import H5MDParser as H5MDParser

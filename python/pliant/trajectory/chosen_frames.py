@@ -19,4 +19,6 @@ def choose_frames(count: int, wanted: int | str, always: int | None = None) -> n
 
 def runs_of(frames: np.ndarray) -> list[np.ndarray]:
     """Numbers of frames, divided where one does not follow the one before."""
-    return np.split(frames, np.flatnonzero(np.diff(frames) != 1) + 1) if len(frames) else []
+    if len(frames) < 2:
+        return [frames] if len(frames) else []
+    return np.split(frames, np.flatnonzero(np.diff(frames) != 1) + 1)

@@ -42,6 +42,10 @@ class FramesOfH5md(Frames):
     def __getstate__(self) -> dict[str, object]:
         return {name: value for name, value in self.__dict__.items() if name != "_reader"}
 
+    def close(self) -> None:
+        """Closes the file, which reading opens again."""
+        vars(self).pop("_reader", None)
+
     @cached_property
     def structure(self) -> Structure:
         """The atoms that were recorded; nameless ones of files that have no names."""

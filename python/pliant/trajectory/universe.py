@@ -6,16 +6,13 @@ Importing this module registers the formats of Pliant, H5MD and ensembles, with 
 
 from __future__ import annotations
 
-import contextlib
 import os
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import h5py
 import MDAnalysis
 import numpy as np
-from MDAnalysis.coordinates.base import ReaderBase
 from MDAnalysis.coordinates.core import get_reader_for
 from MDAnalysis.coordinates.H5MD import H5MDReader
 from MDAnalysis.core import topologyattrs as attributes
@@ -24,9 +21,10 @@ from MDAnalysis.core.topology import Topology
 from MDAnalysis.topology.base import TopologyReaderBase
 from MDAnalysis.topology.MinimalParser import MinimalParser
 
-from pliant._core import Error, InputError, PliantWarning, Structure, check_hdf5
+from pliant._core import Error, InputError, PliantWarning, Structure
 from pliant.trajectory.chains import NO_CHAIN
 from pliant.trajectory.frames import Frames, check_atoms
+from pliant.trajectory.frames_reader import FramesReader, expect_sound, is_ours
 from pliant.trajectory.h5md import FramesOfH5md
 from pliant.trajectory.opened import (
     FramesOfUniverse,
@@ -45,53 +43,11 @@ if TYPE_CHECKING:
 MOST_OF_A_REASON = 300  #: letters of what MDAnalysis says
 
 
-class FramesReader(ReaderBase):  # type: ignore[misc]  # MDAnalysis has no types
-    """Frames as a trajectory; ``ts.data`` has the numbers of each that a file tells.
-
-    source: the frames, or the path of an ensemble, of which all shards are one trajectory.
-    """
+class FramesParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis has no types
+    """The topology of an H5MD file of ours, or of an ensemble: every shard has it."""
 
     format = "PLIANT"
-    units = {"time": "ps", "length": "Angstrom"}  # noqa: RUF012  (as MDAnalysis has it)
-
-    def __init__(self, source: Frames | str, **kwargs: object) -> None:
-        self.source = source if isinstance(source, Frames) else frames_of(source)
-        super().__init__(str(self.source.path or ""), **kwargs)
-        self.n_frames, self.n_atoms = len(self.source), self.source.atom_count
-        timing = {"dt": self.source.time_between or 1.0, **self._ts_kwargs}
-        self.ts = self._Timestep(self.n_atoms, positions=True, **timing)
-        self._read_frame(0)
-
-    def copy(self) -> FramesReader:
-        """Another reader of the same frames, at the same one."""
-        other = type(self)(self.source)
-        other[self.ts.frame]
-        return other
-
-    def _reopen(self) -> None:
-        self.ts.frame = -1
-
-    def close(self) -> None:
-        """Closes files that reading opens again."""
-        self.source.close()
-
-    def _read_next_timestep(self, ts: object = None) -> Any:
-        if self.ts.frame + 1 >= self.n_frames:
-            raise EOFError
-        return self._read_frame(self.ts.frame + 1)
-
-    def _read_frame(self, frame: int) -> Any:
-        self.ts.positions = self.source.read(np.array([frame]))[0]
-        self.ts.dimensions = self.source.box(frame)
-        self.ts.data.update(self.source.numbers(frame))
-        self.ts.frame = frame
-        return self.ts
-
-
-class EnsembleParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis has no types
-    """The topology of an ensemble: every shard has it."""
-
-    format = "PLIANT"
+    _format_hint = staticmethod(is_ours)
 
     def parse(self, **kwargs: object) -> Topology:
         """Return the topology."""
@@ -117,7 +73,7 @@ class H5MDParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis has no
         InputError
             The atom table does not fit the positions: the file is damaged.
         """
-        _expect_sound(self.filename)
+        expect_sound(self.filename)
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", PliantWarning)  # of units that are not there
@@ -227,9 +183,10 @@ def open_universe(
         if file is not None:
             expect_trajectory(Path(file))
     files = [str(path)] if topology is None else [os.fspath(topology), str(path)]
-    options = {"format": "H5MD"} if path.suffix.lower() in H5MD else {}
-    if options:
-        _expect_sound(path)
+    options = {}
+    if path.suffix.lower() in H5MD and not is_ours(path):
+        expect_sound(path)
+        options = {"format": "H5MD"}
         options |= {} if topology is not None else {"topology_format": "H5MD"}
     try:
         with warnings.catch_warnings():
@@ -241,20 +198,6 @@ def open_universe(
     if count == 0:
         raise InputError(f"{path}: holds no frame")
     return universe
-
-
-def _expect_sound(path: str | os.PathLike[str]) -> None:
-    """Looks at an H5MD file before MDAnalysis reads it. Raises InputError where it is damaged.
-
-    One that this process still writes with h5py is not there yet: h5py reads what it holds in
-    memory.
-    """
-    name = os.fsencode(path)
-    with contextlib.suppress(ValueError):  # closed since it was listed
-        for file in h5py.h5f.get_obj_ids(h5py.h5f.OBJ_ALL, h5py.h5f.OBJ_FILE):
-            if file.name == name and file.get_intent() != h5py.h5f.ACC_RDONLY:
-                return
-    check_hdf5(path)
 
 
 def nameless_count(path: str | os.PathLike[str]) -> int | None:
@@ -296,7 +239,8 @@ def _expect_prepared(what: str, topology: str | os.PathLike[str], count: int) ->
 def source_of(trajectory: Any) -> Frames | None:
     """The frames, in double precision, that a trajectory of MDAnalysis shows; None: it has them."""
     if isinstance(trajectory, FramesReader):
-        return trajectory.source
+        shown: Frames = trajectory.source
+        return shown
     is_named = isinstance(trajectory.filename, (str, os.PathLike))
     if isinstance(trajectory, H5MDReader) and is_named:
         return FramesOfH5md(Path(trajectory.filename))

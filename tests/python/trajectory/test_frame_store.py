@@ -12,8 +12,8 @@ from pliant.measure import PrincipalComponents, pca
 from pliant.measure.flexibility import flexibility
 from pliant.trajectory import frame_store
 from pliant.trajectory.frame_store import FramesHeld, FrameStore, sum_of, variance_of
+from pliant.trajectory.frames_reader import FramesReader
 from pliant.trajectory.superposition import superpose_all, superpose_frames
-from pliant.trajectory.universe import FramesReader
 
 from pliant import FileError
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from pliant._core import InputError, OptionError
 from pliant.trajectory.frame_store import FramesHeld, FrameStore
-from pliant.trajectory.universe import FramesReader
+from pliant.trajectory.frames_reader import FramesReader
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe

@@ -7,6 +7,8 @@ import warnings
 from collections import OrderedDict
 from collections.abc import Mapping
 from functools import cached_property
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -122,6 +124,15 @@ class EnsembleFrames(Frames):
         """(N, 3) Angstrom."""
         shard, row = self._found(frame)
         return shard.positions(row)
+
+    def read(self, frames: np.ndarray) -> Positions:
+        """(f, N, 3) Angstrom, of ascending frames: of each shard at once."""
+        found = [self._found(frame) for frame in frames.tolist()]
+        parts = [
+            shard.read(np.array([row for _, row in rows]))
+            for shard, rows in groupby(found, itemgetter(0))
+        ]
+        return np.concatenate([np.empty((0, self.atom_count, 3)), *parts])
 
     def step(self, frame: int) -> int:
         """The step of a frame in the run of its walker; of a sample, its number."""
