@@ -6,6 +6,7 @@
 #include <mutex>
 
 #ifndef __wasi__
+#include <condition_variable>
 #include <thread>
 #include <vector>
 #endif
@@ -20,6 +21,13 @@ struct Mutex {
   void unlock() {}
 };
 
+/// What one thread waits for holds already.
+struct Condition {
+  template <class Lock, class Holds>
+  void wait(Lock&, const Holds&) {}
+  void notify_all() {}
+};
+
 template <class Work>
 void run_in_threads(std::size_t, const Work& work) {
   work(std::size_t{0});
@@ -28,6 +36,7 @@ void run_in_threads(std::size_t, const Work& work) {
 #else
 
 using Mutex = std::mutex;
+using Condition = std::condition_variable;
 
 /// Calls work(0) in this thread and work(1) ... work(count - 1) in others, and waits for them. The
 /// calls take their tasks from a shared queue, so that a single call can do all of them. `work`

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 #include "pliant/framework/measures/residual.hpp"
 
@@ -51,6 +52,14 @@ double thread_seconds() {
   return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
+/// A frame to be made, in the memory of one that was shown.
+void empty(MadeFrame& frame, std::size_t joints) {
+  std::vector<Vec3> positions = std::move(frame.positions);
+  frame = MadeFrame{};
+  frame.positions = std::move(positions);
+  frame.positions.resize(joints);
+}
+
 double rms_distance(std::span<const Vec3> one, std::span<const Vec3> other) {
   double sum = 0.0;
   for (std::size_t k = 0; k < one.size(); ++k) sum += norm_squared(one[k] - other[k]);
@@ -67,8 +76,7 @@ FrameMaker::FrameMaker(const Framework& framework, const BodyPlan& plan, const S
 
 void FrameMaker::make(std::int64_t number, std::span<const Vec3> start, MadeFrame& out) {
   const double begun = thread_seconds();
-  out = MadeFrame{};
-  out.positions.resize(start.size());
+  empty(out, start.size());
   now_.assign(start.begin(), start.end());
   for (int step = 0; step < sampler_.steps_a_frame(); ++step) {
     out.is_made = make_step(number, step, now_, out);
@@ -85,8 +93,7 @@ void FrameMaker::make_many(std::int64_t first, std::span<const Vec3> start,
   requests_.resize(out.size());
   jobs_.clear();
   for (std::size_t k = 0; k < out.size(); ++k) {
-    out[k] = MadeFrame{};
-    out[k].positions.resize(start.size());
+    empty(out[k], start.size());
     FrameRequest& request = requests_[k];
     sampler_.ask(first + static_cast<std::int64_t>(k), 0, 0, start, request);
     jobs_.push_back({push_of(request, start), out[k].positions});

@@ -2,16 +2,14 @@
 #include "pliant/sample/sample.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/base/threads.hpp"
+#include "pliant/base/ordered_work.hpp"
 #include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/framework/measures/check_positions.hpp"
 #include "pliant/framework/measures/limit_counts.hpp"
@@ -23,12 +21,12 @@
 namespace pliant {
 namespace {
 
-/// Frames that a thread makes before what was made is shown.
-constexpr std::size_t frames_a_thread = 4;
 /// With lanes a thread makes so many at once: more fill them better, but a user waits for them all.
 constexpr std::size_t first_in_lanes = 4, most_in_lanes = 128;
-/// Seconds of a batch: below there may be more frames in one, above there are fewer.
+/// Seconds of a share: below there may be more frames in one, above there are fewer.
 constexpr double short_wait = 0.25, long_wait = 1.0;
+/// Shares a thread that may wait to be shown, while one that is hard to make holds them up.
+constexpr std::size_t most_waiting = 4;
 constexpr double start_tolerance = 1e-6;
 /// Steps square distances from the centre: beyond, rounding is as large as the least inertia of a
 /// body, 1e-6 Angstrom^2.
@@ -77,23 +75,16 @@ class Sampling {
         sums_(start, joint_of_node_),
         contacts_(framework.limits()) {
     for (std::int64_t k = 0; k < options.threads; ++k)
-      makers_.push_back(std::make_unique<FrameMaker>(framework, plan, *sampler_));
+      makers_.push_back({std::make_unique<FrameMaker>(framework, plan, *sampler_)});
   }
 
   SampleSummary run(const SampleObserver& observer) {
-    const std::int64_t last = options_.first_frame + options_.frames;
-    std::int64_t next = options_.first_frame;
-    while (next < last && !summary_.stopped_by_caller) {
-      const auto count = std::min(last - next, static_cast<std::int64_t>(batch_size()));
-      made_.resize(static_cast<std::size_t>(count));
-      const auto begun = std::chrono::steady_clock::now();
-      make_batch(next);
-      fit_lanes(seconds_since(begun));
-      for (std::int64_t k = 0; k < count && !summary_.stopped_by_caller; ++k)
-        show(next + k, made_[static_cast<std::size_t>(k)], observer);
-      next += count;
-      if (options_.should_stop && options_.should_stop()) summary_.stopped_by_caller = next < last;
-    }
+    next_ = options_.first_frame;
+    last_ = options_.first_frame + options_.frames;
+    OrderedWork<Share>(makers_.size(), most_waiting * makers_.size())
+        .run([this](Share& share, std::size_t thread) { return take(share, makers_[thread]); },
+             [this](Share& share, std::size_t thread) { make(share, makers_[thread]); },
+             [&](Share& share) { return show(share, observer); });
     finish();
     return std::move(summary_);
   }
@@ -113,48 +104,55 @@ class Sampling {
                                     start_.begin());
   }
 
-  std::size_t batch_size() const {
-    if (makers_[0]->has_lanes()) return makers_.size() * in_lanes_;
-    return makers_.size() == 1 ? 1 : makers_.size() * frames_a_thread;
+  /// Frames that a thread makes, one after the other.
+  struct Share {
+    std::int64_t first = 0;
+    std::size_t count = 0;
+    std::vector<MadeFrame> frames;  ///< the first `count` are of this share
+  };
+  struct Maker {
+    std::unique_ptr<FrameMaker> maker;
+    std::size_t in_lanes = first_in_lanes;
+  };
+
+  bool take(Share& share, const Maker& by) {
+    if (next_ >= last_) return false;
+    share.first = next_;
+    share.count = share_size(by);
+    if (share.frames.size() < share.count) share.frames.resize(share.count);
+    next_ += static_cast<std::int64_t>(share.count);
+    return true;
+  }
+
+  /// Towards the end fewer, so that all threads end at about the same time.
+  std::size_t share_size(const Maker& by) const {
+    if (!by.maker->has_lanes()) return 1;
+    const auto left = static_cast<std::size_t>(last_ - next_);
+    const std::size_t part = makers_.size() == 1 ? left : left / (2 * makers_.size());
+    return std::min({by.in_lanes, std::max(part, first_in_lanes), left});
+  }
+
+  void make(Share& share, Maker& by) const {
+    const auto frames = std::span(share.frames).first(share.count);
+    if (!by.maker->has_lanes()) return by.maker->make(share.first, start_, frames[0]);
+    const auto begun = std::chrono::steady_clock::now();
+    by.maker->make_many(share.first, start_, frames);
+    fit_lanes(seconds_since(begun), by);
   }
 
   /// Frames that are hard to resolve take a hundred times as long as others.
-  void fit_lanes(double seconds) {
-    if (seconds < short_wait) in_lanes_ = std::min(2 * in_lanes_, most_in_lanes);
-    if (seconds > long_wait) in_lanes_ = std::max<std::size_t>(in_lanes_ / 2, 1);
+  static void fit_lanes(double seconds, Maker& by) {
+    if (seconds < short_wait) by.in_lanes = std::min(2 * by.in_lanes, most_in_lanes);
+    if (seconds > long_wait) by.in_lanes = std::max<std::size_t>(by.in_lanes / 2, 1);
   }
 
-  /// Each thread takes what is next, until all are made.
-  void make_batch(std::int64_t first) {
-    const std::size_t each = (made_.size() + makers_.size() - 1) / makers_.size();
-    const std::size_t share = makers_[0]->has_lanes() ? std::min(each, in_lanes_) : 1;
-    if (makers_.size() == 1) {
-      for (std::size_t k = 0; k < made_.size(); k += share) make(*makers_[0], first, k, share);
-      return;
-    }
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr thrown;
-    Mutex throwing;
-    run_in_threads(makers_.size(), [&](std::size_t thread) {
-      try {
-        for (std::size_t k = next.fetch_add(share); k < made_.size(); k = next.fetch_add(share))
-          make(*makers_[thread], first, k, share);
-      } catch (...) {
-        const std::lock_guard hold(throwing);
-        thrown = std::current_exception();
-      }
-    });
-    if (thrown) std::rethrow_exception(thrown);
-  }
-
-  /// The k-th frame of a batch and as many as a thread takes at once.
-  void make(FrameMaker& maker, std::int64_t first, std::size_t k, std::size_t share) {
-    const std::int64_t number = first + static_cast<std::int64_t>(k);
-    if (maker.has_lanes()) {
-      const auto all = std::span(made_);
-      return maker.make_many(number, start_, all.subspan(k, std::min(share, all.size() - k)));
-    }
-    maker.make(number, start_, made_[k]);
+  /// False: stop.
+  bool show(const Share& share, const SampleObserver& observer) {
+    for (std::size_t k = 0; k < share.count && !summary_.stopped_by_caller; ++k)
+      show(share.first + static_cast<std::int64_t>(k), share.frames[k], observer);
+    const std::int64_t next = share.first + static_cast<std::int64_t>(share.count);
+    if (options_.should_stop && options_.should_stop()) summary_.stopped_by_caller = next < last_;
+    return !summary_.stopped_by_caller;
   }
 
   void show(std::int64_t number, const MadeFrame& made, const SampleObserver& observer) {
@@ -224,9 +222,8 @@ class Sampling {
   std::span<const Vec3> start_;
   const SampleOptions& options_;
   std::unique_ptr<Sampler> sampler_;
-  std::vector<std::unique_ptr<FrameMaker>> makers_;  ///< one a thread
-  std::size_t in_lanes_ = first_in_lanes;
-  std::vector<MadeFrame> made_;
+  std::vector<Maker> makers_;         ///< one a thread
+  std::int64_t next_ = 0, last_ = 0;  ///< frames to be taken
   std::vector<std::size_t> joint_of_node_;
   FluctuationSums sums_;
   LimitCounter contacts_;
