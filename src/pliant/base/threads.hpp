@@ -2,13 +2,16 @@
 // Threads where the system has them. WebAssembly (WASI) has none: there one call does all the work.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <exception>
 #include <mutex>
+#include <vector>
 
 #ifndef __wasi__
 #include <condition_variable>
 #include <thread>
-#include <vector>
 #endif
 
 namespace pliant {
@@ -49,5 +52,22 @@ void run_in_threads(std::size_t count, const Work& work) {
 }
 
 #endif
+
+/// Calls work(k) for each k < tasks, on `threads` threads; throws the first that one of them threw,
+/// once all have ended.
+template <class Work>
+void for_each_in_threads(std::size_t threads, std::size_t tasks, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  std::vector<std::exception_ptr> thrown(tasks);
+  run_in_threads(std::min(threads, tasks), [&](std::size_t) {
+    for (std::size_t k = next++; k < tasks; k = next++) try {
+        work(k);
+      } catch (...) {
+        thrown[k] = std::current_exception();
+      }
+  });
+  for (const std::exception_ptr& one : thrown)
+    if (one) std::rethrow_exception(one);
+}
 
 }  // namespace pliant

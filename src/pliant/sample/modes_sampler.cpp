@@ -18,8 +18,13 @@ NetworkModes scaled(NetworkModes modes, double amplitude) {
 
 }  // namespace
 
+NetworkModes network_modes(const SamplerSetting& setting) {
+  return network_modes(setting.nodes, "shared", usual_mode_count,
+                       static_cast<std::size_t>(setting.options.threads));
+}
+
 ModesSampler::ModesSampler(const SamplerSetting& setting)
-    : ModesSampler(setting, network_modes(setting.nodes)) {}
+    : ModesSampler(setting, network_modes(setting)) {}
 
 ModesSampler::ModesSampler(const SamplerSetting& setting, NetworkModes modes)
     : start_(setting.start),

@@ -10,6 +10,9 @@
 
 namespace pliant {
 
+/// Modes of the nodes, found on as many threads as the options say.
+NetworkModes network_modes(const SamplerSetting& setting);
+
 class ModesSampler : public Sampler {
  public:
   explicit ModesSampler(const SamplerSetting& setting);

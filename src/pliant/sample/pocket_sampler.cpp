@@ -53,7 +53,7 @@ class PocketSampler final : public Sampler {
 };
 
 PocketSampler::PocketSampler(const SamplerSetting& setting)
-    : PocketSampler(setting, network_modes(setting.nodes)) {}
+    : PocketSampler(setting, network_modes(setting)) {}
 
 PocketSampler::PocketSampler(const SamplerSetting& setting, const NetworkModes& modes)
     : framework_(setting.framework),

@@ -56,7 +56,7 @@ class ReachSampler final : public Sampler {
 };
 
 ReachSampler::ReachSampler(const SamplerSetting& setting)
-    : ReachSampler(setting, network_modes(setting.nodes)) {}
+    : ReachSampler(setting, network_modes(setting)) {}
 
 ReachSampler::ReachSampler(const SamplerSetting& setting, const NetworkModes& modes)
     : near_frames_(setting.options.near_frames),

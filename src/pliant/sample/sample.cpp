@@ -10,6 +10,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/ordered_work.hpp"
+#include "pliant/base/threads.hpp"
 #include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/framework/measures/check_positions.hpp"
 #include "pliant/framework/measures/limit_counts.hpp"
@@ -74,8 +75,10 @@ class Sampling {
         joint_of_node_(joints_nearest_to(nodes.positions)),
         sums_(start, joint_of_node_),
         contacts_(framework.limits()) {
-    for (std::int64_t k = 0; k < options.threads; ++k)
-      makers_.push_back({std::make_unique<FrameMaker>(framework, plan, *sampler_)});
+    makers_.resize(static_cast<std::size_t>(options.threads));
+    for_each_in_threads(makers_.size(), makers_.size(), [&](std::size_t k) {
+      makers_[k].maker = std::make_unique<FrameMaker>(framework, plan, *sampler_);
+    });
   }
 
   SampleSummary run(const SampleObserver& observer) {

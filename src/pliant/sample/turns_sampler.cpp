@@ -44,7 +44,7 @@ void TurnsSampler::ask_with(std::vector<Vec3> displacements, std::int64_t frame,
 
 /// If a molecule has no domains, its frames are those of `modes`, with a warning.
 std::unique_ptr<Sampler> make_turns_sampler(const SamplerSetting& setting) {
-  NetworkModes modes = network_modes(setting.nodes);
+  NetworkModes modes = network_modes(setting);
   auto turns = std::make_unique<TurnsSampler>(setting, modes);
   if (!turns->empty()) return turns;
   setting.options.log.warn(

@@ -64,6 +64,32 @@ TEST_F(CommittedFileTest, MetadataWaitsForTheCommitAndDataDoesNot) {
   EXPECT_EQ(read(10, 4), "meta");
 }
 
+TEST_F(CommittedFileTest, NotesDataThatStaysUntilItIsAskedFor) {
+  const std::string stays = "0123456789";
+  file_.keep(bytes_of(stays));
+  file_.write(BlockKind::data, 0, bytes_of(stays).subspan(2, 4));
+  write(BlockKind::data, 4, "else");
+  EXPECT_EQ(size(), 8) << "other data is written at once";
+  EXPECT_EQ(read(0, 8), "2345else") << "as is read what is only noted";
+  file_.write_kept();
+  file_.write(BlockKind::data, 8, bytes_of(stays).first(2));
+  EXPECT_EQ(size(), 10) << "what stays is said anew each time";
+}
+
+TEST_F(CommittedFileTest, CommitsNothingBeforeTheDataThatItNames) {
+  const std::string stays = "0123456789";
+  file_.keep(bytes_of(stays));
+  file_.write(BlockKind::data, 0, bytes_of(stays));
+  write(BlockKind::other_metadata, 10, "meta");
+  file_.set_end(14);
+  WriteWatch watch;
+  watch.keep = true;
+  file_.commit();
+  ASSERT_GE(watch.calls.size(), 2u);
+  EXPECT_EQ(watch.calls.front().offset, 0);
+  EXPECT_EQ(watch.calls.front().bytes.size(), 10u);
+}
+
 TEST_F(CommittedFileTest, ReadsWhatWaits) {
   write(BlockKind::data, 0, "0123456789");
   write(BlockKind::tree_node, 4, "TR");

@@ -118,9 +118,13 @@ void DenseCholesky::solve_backward(EightVectors& b) const {
   for (std::size_t last = n; last > 0;) {
     const std::size_t first = (last - 1) / panel * panel;
     std::array<std::array<double, 8>, panel> sums{};
-    for (std::size_t j = last; j < n; ++j)
-      for (std::size_t k = first; k < last; ++k)
-        for (std::size_t lane = 0; lane < 8; ++lane) sums[k - first][lane] += u_(k, j) * b[j][lane];
+    for (std::size_t k = first; k < last; ++k) {
+      std::array<double, 8> sum{};
+      const double* row = u_.row(k).data();
+      for (std::size_t j = last; j < n; ++j)
+        for (std::size_t lane = 0; lane < 8; ++lane) sum[lane] += row[j] * b[j][lane];
+      sums[k - first] = sum;
+    }
     for (std::size_t k = last; k-- > first;) {
       auto& sum = sums[k - first];
       for (std::size_t j = k + 1; j < last; ++j)

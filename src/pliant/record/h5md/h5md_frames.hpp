@@ -41,6 +41,8 @@ class FrameSeries {
   void add(const Frame& frame);
   /// Whether the last frame of the file has these positions, bit by bit after rounding as recorded.
   bool last_is(std::span<const Vec3> positions) const;
+  /// Their positions, which stay where they are from one write() to the next.
+  std::span<const std::byte> waiting_positions() const { return positions_[0].waiting(); }
   /// Passes the waiting frames to HDF5. Throws FileError.
   void write();
 

@@ -115,8 +115,9 @@ void Series::write(std::uint64_t rows) {
   const std::uint64_t first = extents_[0];
   extents_[0] += rows;
   if (extents_[0] > rows_there_) set_extent();
-  row_is_chunk_ ? write_chunks(first, rows) : write_selected(first, rows);
+  written_.swap(waiting_);
   waiting_.clear();
+  row_is_chunk_ ? write_chunks(first, rows) : write_selected(first, rows);
 }
 
 void Series::set_extent() {
@@ -157,19 +158,19 @@ void Series::write_selected(std::uint64_t first, std::uint64_t rows) {
   const Hid memory_space =
       owned(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose,
             "make a dataspace");
-  checked(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, waiting_.data()),
+  checked(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, written_.data()),
           "write " + path_);
 }
 
 /// Straight to the file: H5Dwrite would make a chunk of fill values first and copy the row into it.
 void Series::write_chunks(std::uint64_t first, std::uint64_t rows) {
   if (rows == 0) return;
-  const std::size_t row_bytes = waiting_.size() / rows;
+  const std::size_t row_bytes = written_.size() / rows;
   std::vector<hsize_t> start(extents_.size(), 0);
   for (std::uint64_t row = 0; row < rows; ++row) {
     start[0] = first + row;
     checked(H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, start.data(), row_bytes,
-                           waiting_.data() + row * row_bytes),
+                           written_.data() + row * row_bytes),
             "write " + path_);
   }
 }

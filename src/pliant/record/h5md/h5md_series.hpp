@@ -39,8 +39,10 @@ class Series {
   void add_bytes(std::span<const std::byte> bytes) {
     waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
   }
+  std::span<const std::byte> waiting() const { return waiting_; }
   /// Appends `rows` waiting rows to the dataset, overwriting what an interrupted commit left beyond
-  /// the last row. Throws FileError.
+  /// the last row. What was waiting() stays where it is until the next rows are written. Throws
+  /// FileError.
   void write(std::uint64_t rows);
   /// Cuts off all rows beyond those that were written. Throws FileError.
   void cut();
@@ -61,7 +63,7 @@ class Series {
   bool row_is_chunk_ = false;           ///< and has the same bytes in memory as in the file
   std::vector<std::uint64_t> extents_;  ///< of the valid rows
   std::uint64_t rows_there_ = 0;        ///< number of rows, those of an interrupted commit included
-  std::vector<std::byte> waiting_;
+  std::vector<std::byte> waiting_, written_;
 };
 
 }  // namespace pliant

@@ -157,7 +157,16 @@ void H5mdWriter::record(const Frame& frame) {
   if (!output_.is_published() || seconds >= options_.flush_seconds ||
       (is_much && seconds >= least_seconds_of_a_commit && std::isfinite(options_.flush_seconds)))
     return commit();
-  if (is_much) write_to_file([&] { series_->write(); });
+  if (is_much) write_waiting();
+}
+
+/// The positions, nearly all of it, reach the file system when HDF5 is free for other threads.
+void H5mdWriter::write_waiting() {
+  file_.keep(series_->waiting_positions());
+  write_to_file([&] { series_->write(); });
+  const FileSizeSignalHeld signal;
+  file_.write_kept();
+  if (file_.failure() != 0) fail("cannot write");
 }
 
 void H5mdWriter::check_frame(const Frame& frame) const {
@@ -241,7 +250,6 @@ void H5mdWriter::publish() {
     output_.publish();
   } catch (const FileError& error) {
     failure_ = error.what();
-    const Hdf5Session session;
     release();
     throw;
   }
@@ -264,7 +272,6 @@ void H5mdWriter::throw_if_failed() const {
 void H5mdWriter::close() {
   if (!hdf5_) return;
   commit();
-  const Hdf5Session session;
   const FileSizeSignalHeld signal;
   release();
   if (file_.failure() != 0) fail("cannot write");
@@ -272,9 +279,13 @@ void H5mdWriter::close() {
 
 /// HDF5 holds nothing of the file afterwards, so that neither it nor its exit handler can fail.
 void H5mdWriter::release() {
-  series_.reset();
-  checkpoint_.reset();
-  hdf5_.reset();
+  file_.write_kept();
+  {
+    const Hdf5Session session;
+    series_.reset();
+    checkpoint_.reset();
+    hdf5_.reset();
+  }
   file_.trim();
   file_.flush();
   output_.close();

@@ -54,6 +54,7 @@ class H5mdWriter {
   bool is_checkpoint_due(const Frame& frame) const;
   template <class Write>
   void write_to_file(Write write);
+  void write_waiting();
   void commit();
   void commit_checkpoint(const Frame& frame);
   void publish();

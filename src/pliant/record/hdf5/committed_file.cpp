@@ -69,8 +69,23 @@ CommittedFile::CommittedFile(int descriptor) : descriptor_(descriptor), owner_(p
 }
 
 void CommittedFile::write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes) {
-  if (kind == BlockKind::data && !shrinks_) return write_through(address, bytes);
+  if (kind == BlockKind::data && !shrinks_) {
+    if (!stays(bytes)) return write_through(address, bytes);
+    kept_.emplace_back(address, bytes);
+    return;
+  }
   pending_[address] = {kind, {bytes.begin(), bytes.end()}};
+}
+
+bool CommittedFile::stays(std::span<const std::byte> bytes) const {
+  return !stay_.empty() && bytes.data() >= stay_.data() &&
+         bytes.data() + bytes.size() <= stay_.data() + stay_.size();
+}
+
+void CommittedFile::write_kept() {
+  for (const auto& [address, bytes] : kept_) write_through(address, bytes);
+  kept_.clear();
+  stay_ = {};
 }
 
 void CommittedFile::read(std::uint64_t address, std::span<std::byte> bytes) const {
@@ -81,6 +96,7 @@ void CommittedFile::read(std::uint64_t address, std::span<std::byte> bytes) cons
     done += static_cast<std::size_t>(count);
   }
   std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(done), bytes.end(), std::byte{0});
+  for (const auto& [kept_address, kept] : kept_) overlay(kept_address, kept, address, bytes);
   for (const auto& [block_address, block] : pending_)
     overlay(block_address, block.bytes, address, bytes);
 }
@@ -91,6 +107,8 @@ std::uint64_t CommittedFile::size() const {
     const auto& [address, block] = *pending_.rbegin();
     size = std::max(size, address + block.bytes.size());
   }
+  for (const auto& [address, bytes] : kept_)
+    size = std::max(size, address + std::uint64_t{bytes.size()});
   return size;
 }
 
@@ -124,6 +142,7 @@ std::vector<CommittedFile::Ranked> CommittedFile::in_commit_order() const {
 }
 
 void CommittedFile::commit() {
+  write_kept();
   if (!may_write()) return;
   const std::vector<Ranked> order = in_commit_order();
   const auto in_place = std::find_if(order.begin(), order.end(),

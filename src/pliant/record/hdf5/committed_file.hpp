@@ -29,6 +29,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pliant {
@@ -47,6 +48,11 @@ class CommittedFile {
 
   /// Writes data at once, and metadata with the next commit.
   void write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes);
+  /// Data that lies in `bytes` is from now on only noted when it is written, and must stay as it is
+  /// until write_kept(), or the next commit, hands it to the disk. So HDF5, which one thread may
+  /// use at a time, is free meanwhile.
+  void keep(std::span<const std::byte> bytes) { stay_ = bytes; }
+  void write_kept();
   /// Reads what was written, committed or not; zeros beyond the end.
   void read(std::uint64_t address, std::span<std::byte> bytes) const;
 
@@ -81,6 +87,7 @@ class CommittedFile {
     const Blocks::value_type* entry;
   };
 
+  bool stays(std::span<const std::byte> bytes) const;
   std::vector<Ranked> in_commit_order() const;
   int rank(const Blocks::value_type& entry) const;
   int rank_when_shrinking(const Block& block) const;
@@ -100,6 +107,8 @@ class CommittedFile {
   std::uint64_t written_end_ = 0;
   std::uint64_t committed_end_ = 0;
   Blocks pending_;
+  std::span<const std::byte> stay_;
+  std::vector<std::pair<std::uint64_t, std::span<const std::byte>>> kept_;  ///< by address
   std::uint64_t known_end_ = 0;      // all metadata blocks before it are on the disk ...
   std::set<std::uint64_t> written_;  // ... and those at these addresses
   std::vector<std::uint64_t> last_;

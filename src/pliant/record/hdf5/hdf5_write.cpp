@@ -47,6 +47,15 @@ Hid dataset_properties() {
   return properties;
 }
 
+/// HDF5 converts values in a buffer that it fills with zeros first: of 1 MiB, for each number and
+/// each text, unless another size is asked for. Short texts need little of it.
+Hid transfer_properties() {
+  constexpr std::size_t bytes = std::size_t{1} << 14;
+  Hid properties = owned(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "make transfer properties");
+  checked(H5Pset_buffer(properties, bytes, nullptr, nullptr), "choose the buffer of conversions");
+  return properties;
+}
+
 void write_attribute(hid_t object, const char* name, hid_t file_type, hid_t memory_type,
                      hid_t space, const void* value) {
   const std::string what = "write the attribute " + std::string(name);
@@ -62,7 +71,7 @@ Hid write_dataset(hid_t location, const std::string& path, hid_t file_type, hid_
                                  dataset_properties(), H5P_DEFAULT),
                       H5Dclose, what);
   if (H5Sget_simple_extent_npoints(space) > 0)
-    checked(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
+    checked(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, transfer_properties(), values), what);
   return dataset;
 }
 

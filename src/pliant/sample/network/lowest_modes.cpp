@@ -16,6 +16,9 @@ constexpr std::size_t block_width = 8;
 constexpr double least_share = 1e-9;  // of the largest diagonal entry: below, in the null space
 constexpr double shift_share = 1e-10;
 constexpr double least_residual = 1e-9;
+/// Krylov vectors are looked at for the first time when there are so many: as many as the modes of
+/// most molecules take. Each look costs as much as twenty of them.
+constexpr std::size_t looked_at(std::size_t count) { return 4 * count + 7 * block_width; }
 /// A vector that loses more than this in being set at right angles to others has nothing new.
 constexpr double nothing_new = 1e-12;
 
@@ -57,6 +60,23 @@ EigenPairs keep_lowest(const EigenPairs& all, double least, double below, std::s
     make_sign_canonical(kept.vectors.row(k - first));
   }
   return kept;
+}
+
+/// add_scaled(factor, y, x), then dot_product(z, x): the same numbers by one way through x.
+double add_scaled_then_dot(double factor, std::span<const double> y, std::span<double> x,
+                           std::span<const double> z) {
+  double sums[4] = {0.0, 0.0, 0.0, 0.0};
+  std::size_t k = 0;
+  for (; k + 4 <= x.size(); k += 4)
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      x[k + lane] += factor * y[k + lane];
+      sums[lane] += z[k + lane] * x[k + lane];
+    }
+  for (std::size_t lane = 0; k < x.size(); ++k, ++lane) {
+    x[k] += factor * y[k];
+    sums[lane] += z[k] * x[k];
+  }
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 /// A space that grows by what the inverse of a matrix makes of its newest vectors.
@@ -120,9 +140,12 @@ class InverseKrylov {
   void add_direction(std::size_t k) {
     const auto x = basis_.row(k);
     const double before = std::sqrt(dot_product(x, x));
-    for (int again = 0; again < 2; ++again)
-      for (std::size_t i = 0; i < k; ++i)
-        add_scaled(-dot_product(basis_.row(i), x), basis_.row(i), x);
+    for (int again = 0; again < 2 && k > 0; ++again) {
+      double along = dot_product(basis_.row(0), x);
+      for (std::size_t i = 0; i + 1 < k; ++i)
+        along = add_scaled_then_dot(-along, basis_.row(i), x, basis_.row(i + 1));
+      add_scaled(-along, basis_.row(k - 1), x);
+    }
     const double after = std::sqrt(dot_product(x, x));
     if (!(after > nothing_new * before)) return;
     for (double& value : x) value *= 1.0 / after;
@@ -142,8 +165,7 @@ EigenPairs by_inverse(DenseMatrix a, double height, std::size_t count) {
   const std::size_t most = std::min(n, 10 * count + 10 * block_width);
   InverseKrylov space(std::move(a), most);
   EigenPairs found;
-  for (std::size_t target = std::min(most, 3 * count + 4 * block_width);;
-       target += 10 * block_width) {
+  for (std::size_t target = std::min(most, looked_at(count));; target += 10 * block_width) {
     while (space.size() < target && space.grow()) {
     }
     const EigenPairs inner = space.within();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pliant/base/threads.hpp"
 #include "pliant/sample/network/domains.hpp"
 #include "pliant/sample/network/lowest_modes.hpp"
 
@@ -95,8 +96,20 @@ NetworkModes principal(const std::vector<std::vector<double>>& rows, double cuts
   return modes;
 }
 
+/// Of the network cut into 2, 3, ... domains.
+std::vector<NetworkModes> modes_of_cuts(const NetworkNodes& nodes, const Springs& springs,
+                                        const AverageLinkage& tree, std::size_t count,
+                                        std::size_t threads) {
+  const std::size_t cuts = std::min(most_domains, nodes.positions.size()) - 1;
+  std::vector<NetworkModes> modes(cuts);
+  for_each_in_threads(std::min(threads, cuts), cuts, [&](std::size_t k) {
+    modes[k] = modes_of(nodes, joined(springs, tree.cut(k + 2)), true, count);
+  });
+  return modes;
+}
+
 NetworkModes averaged_over_domains(const NetworkNodes& nodes, const Springs& springs,
-                                   std::size_t count) {
+                                   std::size_t count, std::size_t threads) {
   const std::size_t n = nodes.positions.size();
   NetworkModes whole =
       modes_of(nodes, joined(springs, std::vector<std::uint32_t>(n, 0)), true, count);
@@ -106,18 +119,18 @@ NetworkModes averaged_over_domains(const NetworkNodes& nodes, const Springs& spr
   const std::size_t looked_at = std::min(domain_modes, whole.variances.size());
   const AverageLinkage tree(changes_of_distances(nodes.positions, whole.directions,
                                                  std::span(whole.variances).first(looked_at)));
-  const std::size_t domains = std::min(most_domains, n);
-  for (std::size_t k = 2; k <= domains; ++k)
-    add_weighted(modes_of(nodes, joined(springs, tree.cut(k)), true, count), rows);
-  return principal(rows, double(domains), count);
+  const std::vector<NetworkModes> cuts = modes_of_cuts(nodes, springs, tree, count, threads);
+  for (const NetworkModes& modes : cuts) add_weighted(modes, rows);
+  return principal(rows, double(1 + cuts.size()), count);
 }
 
 }  // namespace
 
-NetworkModes network_modes(const NetworkNodes& nodes, std::string_view network, std::size_t count) {
+NetworkModes network_modes(const NetworkNodes& nodes, std::string_view network, std::size_t count,
+                           std::size_t threads) {
   const NetworkEntry& entry = find_network(network);
   const Springs springs = entry.springs(nodes);
-  if (entry.has_domains) return averaged_over_domains(nodes, springs, count);
+  if (entry.has_domains) return averaged_over_domains(nodes, springs, count, threads);
   const std::vector<std::uint32_t> one_domain(nodes.positions.size(), 0);
   return modes_of(nodes, joined(springs, one_domain), entry.has_directions, count);
 }

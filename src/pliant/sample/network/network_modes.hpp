@@ -23,10 +23,10 @@ inline constexpr std::size_t usual_mode_count = 60;
 /// variances are in units of 1 / spring. With domains, these are the modes of the mean covariance
 /// of the network and of the same network cut into 2, 3 and 4 domains, where springs between
 /// domains are a tenth; each covariance is that of the `count` lowest modes, divided by its trace.
-/// Signs are canonical. Takes the cube of the number of nodes: call coarsened() first. Nodes must
-/// pass check(). Throws OptionError for an unknown name.
+/// Signs are canonical. Takes the cube of the number of nodes: call coarsened() first. Threads
+/// change no bit. Nodes must pass check(). Throws OptionError for an unknown name.
 NetworkModes network_modes(const NetworkNodes& nodes, std::string_view network = "shared",
-                           std::size_t count = usual_mode_count);
+                           std::size_t count = usual_mode_count, std::size_t threads = 1);
 
 /// Scales variances so that the mean over nodes of the r.m.s. fluctuation is `amplitude`
 /// (Angstrom).
