@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from pliant.lab.bench import frames as costs
+from pliant.lab.bench import scaling as jobs
 from pliant.lab.bench.command import main
 from pliant.lab.bench.throughput import throughput
 
@@ -122,3 +123,31 @@ def test_throughput_by_the_command(capsys, tmp_path):
     assert len((tmp_path / "a.csv").read_text().splitlines()) == 5
     assert main(words) == 0
     assert "conformers per second" in capsys.readouterr().out
+
+
+def test_whole_jobs_on_several_threads():
+    files = [PEPTIDE, "data/molecules/butane.sdf"]
+    found = jobs.scaling(files, threads=(2, 1), frames=4, steps=2)
+    names = [(row.job, row.input, row.threads) for row in found.rows]
+    assert names == [
+        *((job, "peptide_20.pdb", n) for job in jobs.PROTEIN_JOBS for n in (1, 2)),
+        *(("conformers", "butane.sdf", n) for n in (1, 2)),
+    ]
+    assert found.faults == [] and all(row.digest for row in found.rows)
+    assert len({row.digest for row in found.rows}) == 3, "the first frames of reach are of modes"
+    for row in found.rows:
+        assert 0 < row.seconds < math.inf and row.cpu_seconds > 0
+        assert row.efficiency == pytest.approx(row.faster / row.threads)
+
+
+def test_jobs_with_other_bits_are_named(capsys):
+    rows = [jobs.ScalingRow("frames", "a.pdb", 2, same_bits=False)]
+    found = jobs.Scaling(16, rows)
+    assert found.faults == ["frames of a.pdb, 2 threads: other bits than on fewer"]
+    found.print_report()
+    assert "wrong: frames of a.pdb" in capsys.readouterr().out
+
+
+def test_a_job_that_fails_says_why():
+    with pytest.raises(pliant.InputError, match=r"frames of modes of none\.pdb: .*cannot read"):
+        jobs.scaling(["none.pdb"])
