@@ -23,7 +23,7 @@ namespace pliant {
 namespace {
 
 /// With lanes a thread makes so many at once: more fill them better, but a user waits for them all.
-constexpr std::size_t first_in_lanes = 4, most_in_lanes = 128;
+constexpr std::size_t first_in_lanes = 8, most_in_lanes = 64;
 /// Seconds of a share: below there may be more frames in one, above there are fewer.
 constexpr double short_wait = 0.25, long_wait = 1.0;
 /// Shares a thread that may wait to be shown, while one that is hard to make holds them up.
@@ -132,7 +132,8 @@ class Sampling {
     if (!by.maker->has_lanes()) return 1;
     const auto left = static_cast<std::size_t>(last_ - next_);
     const std::size_t part = makers_.size() == 1 ? left : left / (2 * makers_.size());
-    return std::min({by.in_lanes, std::max(part, first_in_lanes), left});
+    const std::size_t whole = part / first_in_lanes * first_in_lanes;  // no lane is empty
+    return std::min({by.in_lanes, std::max(whole, first_in_lanes), left});
   }
 
   void make(Share& share, Maker& by) const {

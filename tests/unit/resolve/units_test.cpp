@@ -3,6 +3,7 @@
 
 #include "pliant/lab/examples/examples.hpp"
 #include "pliant/resolve/bodies/outward/loop_closure.hpp"
+#include "pliant/resolve/bodies/tree/body_plan.hpp"
 #include "support/frameworks.hpp"
 #include "support/molecules.hpp"
 #include "support/test.hpp"
