@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/base/threads.hpp"
+#include "pliant/base/system/threads.hpp"
 
 namespace pliant {
 
