@@ -118,13 +118,19 @@ void Hdf5Dataset::check_row() const {
 }
 
 Expansion Hdf5Dataset::expansion_of(std::uint64_t values, std::uint64_t at_once) const {
-  Expansion expansion{.values = times(values, value_bytes_),
-                      .at_once = times(at_once, value_bytes_),
-                      .chunk = chunk_.empty() ? 0 : value_bytes_,
+  if (!stored_) stored_ = measured();
+  Expansion expansion = *stored_;
+  expansion.values = times(values, value_bytes_);
+  expansion.at_once = times(at_once, value_bytes_);
+  return expansion;
+}
+
+Expansion Hdf5Dataset::measured() const {
+  Expansion expansion{.chunk = chunk_.empty() ? 0 : value_bytes_,
                       .stored = H5Dget_storage_size(id_),
                       .file_size = file_size()};
   for (const std::uint64_t extent : chunk_) expansion.chunk = times(expansion.chunk, extent);
-  if (expansion.chunk > large_expansion) {  // they are counted one by one
+  if (expansion.chunk > large_expansion) {
     hsize_t chunks = 0;
     const Hid space = owned(H5Dget_space(id_), H5Sclose, "look at " + path_);
     checked(H5Dget_num_chunks(id_, space, &chunks), "count the chunks of " + path_);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ class Hdf5Dataset {
 
   Rows select_rows(std::uint64_t first, std::uint64_t count) const;
   Expansion expansion_of(std::uint64_t values, std::uint64_t at_once) const;
+  Expansion measured() const;
   void refuse(const Expansion& expansion) const;
   std::uint64_t file_size() const;
   void check_source() const;
@@ -72,6 +74,8 @@ class Hdf5Dataset {
   std::vector<std::uint64_t> chunk_;  // empty: not chunked
   std::size_t value_bytes_ = 0;
   ValueClass class_ = ValueClass::other;
+  // What the file holds, once it was asked for: HDF5 goes over all chunks.
+  mutable std::optional<Expansion> stored_;
 };
 
 /// For a file that another library is to read. Throws as open_hdf5, and InputError where a dataset
