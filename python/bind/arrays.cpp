@@ -197,6 +197,11 @@ PositionsView new_positions(std::vector<Vec3> positions) {
   return view_of(*kept, owner_of(kept));
 }
 
+std::span<const Vec3> frame_of(const GivenFrames& frames, std::size_t frame) {
+  const auto* all = reinterpret_cast<const Vec3*>(frames.data());
+  return {all + frame * frames.shape(1), frames.shape(1)};
+}
+
 FramesView new_frames(std::vector<Vec3> positions, std::size_t frames, std::size_t joints) {
   auto* kept = new std::vector<Vec3>(std::move(positions));
   return FramesView(reinterpret_cast<double*>(kept->data()), {frames, joints, 3}, owner_of(kept));

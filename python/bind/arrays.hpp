@@ -32,6 +32,8 @@ struct PositionsInPlace {
 using PositionsView = nb::ndarray<nb::numpy, double, nb::shape<-1, 3>, nb::c_contig>;
 /// (F, N, 3)
 using FramesView = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
+/// Frames that are only read, without a copy where they are float64 already.
+using GivenFrames = nb::ndarray<const double, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
 using PositionsConstView = nb::ndarray<nb::numpy, const double, nb::shape<-1, 3>, nb::c_contig>;
 
 /// Keeps the memory of an (N, 3) array alive while it is used. Made and destroyed with the GIL
@@ -99,6 +101,8 @@ PositionsConstView const_view_of(std::span<const Vec3> positions, nb::handle own
 
 /// Moves `positions` into a new array.
 PositionsView new_positions(std::vector<Vec3> positions);
+/// The positions (N) of one of them.
+std::span<const Vec3> frame_of(const GivenFrames& frames, std::size_t frame);
 /// Moves frames of `joints` positions each, one after the other, into a new array.
 FramesView new_frames(std::vector<Vec3> positions, std::size_t frames, std::size_t joints);
 

@@ -19,6 +19,7 @@ void bind_framework(nb::module_& module);
 void bind_generate(nb::module_& module);
 void bind_guide(nb::module_& module);
 void bind_laboratory(nb::module_& module);
+void bind_measures(nb::module_& module);
 void bind_model(nb::module_& module);
 void bind_molecule(nb::module_& module);
 void bind_motion(nb::module_& module);

@@ -19,6 +19,7 @@ NB_MODULE(_core, module) {
   bind_conformers(module);
   bind_network(module);
   bind_sample(module);
+  bind_measures(module);
   bind_order(module);
   bind_resolve(module);
   bind_walkers(module);

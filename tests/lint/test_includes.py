@@ -17,6 +17,7 @@ MAY_INCLUDE = {
     "base": (),
     "text": ("base",),
     "framework": ("base",),
+    "measure": ("base",),
     "rigidity": ("base", "framework"),
     "molecule": ("base", "text", "framework"),
     "model": ("base", "text", "framework", "rigidity", "molecule"),

@@ -11,8 +11,6 @@
 namespace pliant::python {
 namespace {
 
-using GivenFrames = nb::ndarray<const double, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
-
 /// (F, N, 3) of as many sets of N positions.
 template <class Sets, class PositionsIn>
 FramesView frames_of(const Sets& sets, std::size_t atoms, const PositionsIn& positions_in) {
@@ -23,11 +21,6 @@ FramesView frames_of(const Sets& sets, std::size_t atoms, const PositionsIn& pos
     flat.insert(flat.end(), x.begin(), x.end());
   }
   return new_frames(std::move(flat), sets.size(), atoms);
-}
-
-std::span<const Vec3> frame_of(const GivenFrames& frames, std::size_t frame) {
-  const auto* all = reinterpret_cast<const Vec3*>(frames.data());
-  return {all + frame * frames.shape(1), frames.shape(1)};
 }
 
 /// Of those that `take_options` gave.

@@ -7,8 +7,9 @@ import pytest
 from MDAnalysis.analysis import align, rms
 from MDAnalysis.analysis.pca import PCA, cosine_content
 from MDAnalysisTests.datafiles import DCD, PSF
-from pliant.measure import PrincipalComponents, RadiusOfGyration, RmsdToStart, Rmsf, Superposition
 from pliant.measure.frames import weights_of
+
+from pliant.measure import PrincipalComponents, RadiusOfGyration, RmsdToStart, Rmsf, Superposition
 
 
 @pytest.fixture(scope="module")

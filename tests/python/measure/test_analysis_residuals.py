@@ -4,8 +4,9 @@ import MDAnalysis
 import numpy as np
 import pliant.mdanalysis  # noqa: F401
 import pytest
-from pliant.measure import BarResiduals, bar_residuals
 from pliant.trajectory.opened import one_file
+
+from pliant.measure import BarResiduals, bar_residuals
 
 
 @pytest.fixture

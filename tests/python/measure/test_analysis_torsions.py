@@ -6,9 +6,10 @@ import numpy as np
 import pliant.mdanalysis  # noqa: F401
 import pytest
 from MDAnalysisTests.datafiles import DCD, PSF
-from pliant.measure import TorsionDistributions, rotatable_torsions
 from pliant.measure.rotatable import is_hydrogen
 from pliant.measure.torsions import circular_moments
+
+from pliant.measure import TorsionDistributions, rotatable_torsions
 
 
 def molecule(elements, bonds, names=None):

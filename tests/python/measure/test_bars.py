@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+
 from pliant.measure import bars as _bars
 
 SQUARE = np.array([[0.0, 0, 0], [3, 0, 0], [3, 4, 0], [0, 4, 0]])

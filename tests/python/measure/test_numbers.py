@@ -5,10 +5,11 @@ import numpy as np
 import pytest
 from MDAnalysis.analysis.rms import rmsd
 from MDAnalysis.lib.distances import calc_dihedrals
-from pliant.measure import agreement
 from pliant.measure.compared import numbers
 from scipy.spatial.distance import jensenshannon
 from scipy.spatial.transform import Rotation
+
+from pliant.measure import agreement
 
 
 def random_motions(frames, seed):

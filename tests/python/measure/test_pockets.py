@@ -7,7 +7,7 @@ import json
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.measure.pockets.pocket_grid import RADII, Room, find_pockets, room_among
+from pliant.measure.pockets.pocket_grid import RADII, Room, find_pockets, rooms_among
 from pliant.measure.pockets.pocket_volumes import Pocket, _is_gap
 from pliant.measure.stages.units import trace_atoms
 from pliant.report.command import main
@@ -27,22 +27,30 @@ FOLDER = DATA.PDB_small.rsplit("/", 1)[0]
 KVFINDER = {"1hvr.pdb": [643], "adk_open.pdb": [146], "1a28.pdb.gz": [564, 564, 487, 332]}
 
 
+def pockets_of(atoms, radii):
+    return find_pockets(atoms[None], radii)[0]
+
+
+def room_of(atoms, radii, lining, **options):
+    return rooms_among(atoms[None], radii, [lining], **options)[0][0]
+
+
 @pytest.mark.parametrize("radius", [5.0, 6.0, *(pytest.param(r, marks=LONG) for r in (8.0, 10.0))])
 def test_room_among_the_atoms_of_a_sphere_is_that_of_the_sphere(radius):
     atoms, every = shell(radius, 1500) + 0.3, np.arange(1500)
     expected = 4 / 3 * np.pi * (radius - 1.7) ** 3
-    coarse = room_among(atoms, np.full(1500, 1.7), every).all
-    fine = room_among(atoms, np.full(1500, 1.7), every, spacing=0.5).all
+    coarse = room_of(atoms, np.full(1500, 1.7), every).all
+    fine = room_of(atoms, np.full(1500, 1.7), every, spacing=0.5).all
     assert coarse == pytest.approx(expected, rel=0.08)
     assert abs(fine - expected) < abs(coarse - expected)
     bowl = np.flatnonzero(atoms[:, 2] < 0.3)  # whose mouth counts up to a plane
-    half = room_among(atoms[bowl], np.full(len(bowl), 1.7), np.arange(len(bowl))).all
+    half = room_of(atoms[bowl], np.full(len(bowl), 1.7), np.arange(len(bowl))).all
     assert half == pytest.approx(expected / 2, rel=0.04)
 
 
 def test_there_is_no_room_among_atoms_that_touch():
     atoms = 1.5 * np.argwhere(np.ones((4, 4, 4)))
-    assert room_among(atoms, np.full(len(atoms), 1.7), np.arange(len(atoms))) == Room(0.0, 0.0)
+    assert room_of(atoms, np.full(len(atoms), 1.7), np.arange(len(atoms))) == Room(0.0, 0.0)
 
 
 def test_a_gap_between_walls_is_no_pocket():
@@ -52,7 +60,7 @@ def test_a_gap_between_walls_is_no_pocket():
     rooms = {}
     for width in (4.0, 6.0, 10.0, 16.0):
         atoms = np.concatenate([wall, wall + np.array([0, 0, width + 3.4])])
-        rooms[width] = room_among(atoms, np.full(len(atoms), 1.7), np.arange(len(atoms)))
+        rooms[width] = room_of(atoms, np.full(len(atoms), 1.7), np.arange(len(atoms)))
         assert rooms[width].all > 2000
     shares = {width: room.share for width, room in rooms.items()}
     assert min(shares[4.0], shares[6.0]) > 0.8
@@ -85,10 +93,8 @@ def test_volumes_are_those_of_kvfinder():
     for name, volumes in KVFINDER.items():
         atoms, radii = heavy_atoms(name)
         positions = atoms.positions.astype(float)
-        found = find_pockets(positions, radii)
-        ours += [
-            room_among(positions, radii, lined(found, k)).enclosed for k in range(len(volumes))
-        ]
+        found = pockets_of(positions, radii)
+        ours += [room_of(positions, radii, lined(found, k)).enclosed for k in range(len(volumes))]
         theirs += volumes
     ratio = np.array(ours) / theirs
     assert ratio.min() > 0.9
@@ -103,7 +109,7 @@ def test_the_table_is_what_kvfinder_gives_now():
     for name, volumes in KVFINDER.items():
         atoms, radii = heavy_atoms(name)
         positions = atoms.positions.astype(float)
-        found = find_pockets(positions, radii)
+        found = pockets_of(positions, radii)
         columns = [atoms.resids, ["A"] * len(atoms), atoms.resnames, atoms.names, *positions.T]
         table = np.array(list(zip(*columns, radii, strict=True)), dtype=object)
         corners = kvfinder.get_vertices(table, probe_out=4.0, step=0.6)

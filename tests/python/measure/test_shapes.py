@@ -130,10 +130,14 @@ def test_adenylate_kinase_closes_its_lid_and_its_nmp_domain():
     assert found.within < 1.5
 
 
+def pockets_of(atoms, radii):
+    return find_pockets(atoms[None], radii)[0]
+
+
 @pytest.mark.parametrize("radius", [5.0, 6.0, 8.0, 10.0])
 def test_the_room_in_a_hollow_sphere_is_that_of_a_sphere(radius):
     atoms = shell(radius, 1500) + 0.3
-    found = find_pockets(atoms, np.full(len(atoms), 1.7))
+    found = pockets_of(atoms, np.full(len(atoms), 1.7))
     volume = len(found.pocket) * found.volume
     assert found.pocket.max() == 0
     assert volume == pytest.approx(4 / 3 * np.pi * (radius - 1.7) ** 3, rel=0.06)
@@ -141,12 +145,12 @@ def test_the_room_in_a_hollow_sphere_is_that_of_a_sphere(radius):
 
 def test_neither_a_ball_nor_a_wide_bowl_has_pockets_and_two_cavities_are_two():
     ball = np.argwhere(np.ones((7, 7, 7))) * 1.5
-    assert len(find_pockets(ball, np.full(len(ball), 1.7)).pocket) == 0
+    assert len(pockets_of(ball, np.full(len(ball), 1.7)).pocket) == 0
     atoms = shell(14.0, 2500)
     bowl = atoms[atoms[:, 2] < 0]
-    assert len(find_pockets(bowl, np.full(len(bowl), 1.7)).pocket) == 0
+    assert len(pockets_of(bowl, np.full(len(bowl), 1.7)).pocket) == 0
     both = np.concatenate([shell(5.0, 800), shell(6.0, 1000) + np.array([0.0, 0.0, 12.5])])
-    found = find_pockets(both, np.full(len(both), 1.7))
+    found = pockets_of(both, np.full(len(both), 1.7))
     assert set(found.pocket) == {0, 1}
     assert (found.atom[found.pocket == 0] >= 800).all()  # the larger comes first
     assert (found.atom[found.pocket == 1] < 800).all()

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 import scipy.optimize
 from pliant.checks.openmm.child import Job, run_jobs
-from pliant.measure import bars as _bars
 from real_files import MOLECULES
 
 import pliant
+from pliant.measure import bars as _bars
 
 NM = 0.1
 

@@ -8,7 +8,6 @@ import pickle
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.measure import PrincipalComponents, pca
 from pliant.measure.flexibility import flexibility
 from pliant.trajectory import frame_store
 from pliant.trajectory.frame_store import FramesHeld, FrameStore, sum_of, variance_of
@@ -16,6 +15,7 @@ from pliant.trajectory.frames_reader import FramesReader
 from pliant.trajectory.superposition import superpose_all, superpose_frames
 
 from pliant import FileError
+from pliant.measure import PrincipalComponents, pca
 
 FRAMES, ATOMS = 23, 50
 

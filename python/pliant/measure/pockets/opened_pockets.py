@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -77,14 +78,21 @@ class PocketFinder:
 
     def look_at(self, places: np.ndarray) -> None:
         """Measures the start, and frames around it."""
-        self._at_start = self._rooms(self._analysis[ReferenceStructure].positions)[0]
-        self._around = [self._rooms(self._analysis.positions(k))[0] for k in np.unique(places)]
+        near = [self._analysis.positions(k) for k in np.unique(places)]
+        start = self._analysis[ReferenceStructure].positions
+        self._at_start, *self._around = (rooms for rooms, _ in self._rooms([start, *near]))
 
-    def larger_than_at_start(self, place: int) -> tuple[PocketChange, ...]:
-        """Pockets of a frame that have opened, the largest growth first."""
+    def larger_than_at_start(self, places: np.ndarray) -> list[tuple[PocketChange, ...]]:
+        """Pockets of each of some frames that have opened, the largest growth first."""
         if self.why_not or self._at_start is None:
-            return ()
-        rooms, lined = self._rooms(self._analysis.positions(place))
+            return [()] * len(places)
+        return [
+            self._opened(rooms, lined)
+            for rooms, lined in self._rooms([self._analysis.positions(k) for k in places])
+        ]
+
+    def _opened(self, rooms: np.ndarray, lined: list[np.ndarray]) -> tuple[PocketChange, ...]:
+        assert self._at_start is not None
         changes = []
         for residues in lined:
             volume, before = float(rooms[residues].sum()), float(self._at_start[residues].sum())
@@ -97,17 +105,14 @@ class PocketFinder:
         changes.sort(key=lambda change: -change.growth)
         return tuple(changes[:MOST_POCKETS])
 
-    def _rooms(self, positions: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
-        """Room beside each residue, and for each pocket the residues that line it.
+    def _rooms(self, frames: list[np.ndarray]) -> Iterator[tuple[np.ndarray, list[np.ndarray]]]:
+        """Of each frame: room beside each residue, and for each pocket the residues that line it.
 
         Each point of a pocket is beside the residue whose atom is nearest.
         """
-        moved = self._fit.apply(positions[self._atoms], positions[self._trace])
-        found = find_pockets(moved, self._radii)
-        owner = self._residues[found.atom]
+        moved = [self._fit.apply(one[self._atoms], one[self._trace]) for one in frames]
         count = len(self._analysis.universe.residues)
-        rooms = np.bincount(owner, minlength=count) * found.volume
-        lined = [
-            np.unique(owner[found.pocket == k]) for k in range(found.pocket.max(initial=-1) + 1)
-        ]
-        return rooms, lined
+        for found in find_pockets(np.array(moved), self._radii):
+            owner = self._residues[found.atom]
+            rooms = np.bincount(owner, minlength=count) * found.volume
+            yield rooms, [np.unique(owner[found.pocket == k]) for k in range(found.count)]

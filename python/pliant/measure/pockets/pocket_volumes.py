@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from pliant.measure.pockets.opened_pockets import LEAST_GROWTH, why_no_pockets
-from pliant.measure.pockets.pocket_grid import RADII, SPACING, Room, find_pockets, room_among
+from pliant.measure.pockets.pocket_grid import RADII, SPACING, Room, find_pockets, rooms_among
 from pliant.measure.rotatable import is_hydrogen
 from pliant.measure.shapes.other_shapes import OtherShapes
 from pliant.measure.stages.parts import Part, ReferenceStructure, Units
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 #: frames whose pockets are measured, spread over all
 LOOKED_AT = 100
+#: of these so many are in memory at once
+AT_ONCE = 16
 #: chains shorter than this have no pockets
 LEAST_CHAIN = 20
 #: heavy atoms of the smallest ligand whose site is measured
@@ -91,29 +93,39 @@ class _Surroundings:
         atoms = atoms[~is_hydrogen(atoms) & ~np.isin(atoms.resnames, WATERS)] - left_out
         self.atoms: np.ndarray = atoms.ix
         self.residues: np.ndarray = atoms.resindices
+        self._analysis = analysis
+        #: (1, n, 3)
+        self.start: np.ndarray = analysis[ReferenceStructure].positions[None, atoms.ix]
         self.radii = np.array([RADII.get(e.capitalize(), RADII["C"]) for e in atoms.elements])
 
-    def room(self, positions: np.ndarray, lining: np.ndarray) -> Room:
-        """Room among atoms (places among those of this), of positions (N, 3) of all."""
-        return room_among(positions[self.atoms], self.radii, lining)
+    def frames(self, places: Iterable[int]) -> np.ndarray:
+        """Positions (f, n, 3) of these atoms in some of the frames analysed."""
+        return np.array([self._analysis.positions(k)[self.atoms] for k in places])
 
-    def error(self, positions: np.ndarray, lining: np.ndarray) -> float:
-        """How far the grid is off, Angstrom^3."""
-        own = positions[self.atoms], self.radii, lining
-        fine = room_among(*own, spacing=SPACING / 2).enclosed
-        coarse = np.array([room_among(*own, offset=k / 4).enclosed for k in range(4)])
-        return float(np.sqrt(np.mean((coarse - fine) ** 2)))
+    def rooms(self, frames: np.ndarray, linings: Sequence[np.ndarray]) -> list[list[Room]]:
+        """Room among lining atoms (places among those of this) in each frame (F, n, 3)."""
+        return rooms_among(frames, self.radii, linings)
 
-    def found(self, positions: np.ndarray) -> list[np.ndarray]:
-        """The atoms that line each pocket, the largest pocket first."""
-        found = find_pockets(positions[self.atoms], self.radii)
-        points = np.bincount(found.pocket) if len(found.pocket) else np.zeros(0)
-        large = np.flatnonzero(points * found.volume >= LEAST_VOLUME)
-        return [np.unique(found.atom[found.pocket == k]) for k in large]
+    def errors(self, linings: Sequence[np.ndarray]) -> np.ndarray:
+        """How far the grid is off in the room of each lining at the start, Angstrom^3."""
+        own = self.start, self.radii, linings
+        fine, *coarse = (
+            [room.enclosed for room in rooms_among(*own, spacing, offset)[0]]
+            for spacing, offset in ((SPACING / 2, 0.0), *((SPACING, k / 4) for k in range(4)))
+        )
+        return np.asarray(np.sqrt(np.mean((np.array(coarse) - fine) ** 2, axis=0)))
 
-    def beside(self, positions: np.ndarray, ligand: np.ndarray) -> np.ndarray:
-        """The atoms within LINING of those of a ligand (indices)."""
-        apart, _ = cKDTree(positions[ligand]).query(positions[self.atoms])
+    def found(self, frames: np.ndarray) -> list[list[np.ndarray]]:
+        """The atoms that line each pocket of each frame (F, n, 3), the largest pocket first."""
+        return [
+            [one.lining(k) for k in range(one.count) if one.size(k) >= LEAST_VOLUME]
+            for one in find_pockets(frames, self.radii)
+        ]
+
+    def beside(self, ligand: np.ndarray) -> np.ndarray:
+        """The atoms within LINING of those of a ligand (indices) at the start."""
+        start = self._analysis[ReferenceStructure].positions
+        apart, _ = cKDTree(start[ligand]).query(self.start[0])
         return np.flatnonzero(apart <= LINING)
 
 
@@ -144,35 +156,36 @@ def pocket_volumes(analysis: Analysis) -> Iterator[PocketVolumes]:
     if why := why_no_pockets(analysis.universe.atoms):
         raise ValueError(why)
     around = _Surroundings(analysis, sum(kept[1:], kept[0]) if kept else analysis.atoms[:0])
-    start = analysis[ReferenceStructure].positions
     lined = _lined(analysis, around, kept)
     places = choose_frames(len(analysis.frames), LOOKED_AT)
-    rooms = []
-    for place in places:
-        positions = analysis.positions(place)
-        rooms.append([around.room(positions, lining) for lining in lined.values()])
-    pockets = tuple(
-        _pocket(around, start, name, lining, [row[k] for row in rooms])
-        for k, (name, lining) in enumerate(lined.items())
-    )
+    pockets = _measured(around, lined, places) if lined else []
     if measured := tuple(pocket for pocket in pockets if not pocket.is_gap.all()):
         few = f"pockets were measured in {len(places)} of the {len(analysis.frames)} frames"
         yield PocketVolumes(measured, places, notes=(few,) * (len(places) < len(analysis.frames)))
 
 
-def _pocket(
-    around: _Surroundings, start: np.ndarray, name: str, lining: np.ndarray, rooms: list[Room]
-) -> Pocket:
-    at_start = around.room(start, lining)
-    return Pocket(
-        name,
-        around.atoms[lining],
-        np.unique(around.residues[lining]),
-        at_start.enclosed,
-        around.error(start, lining),
-        np.array([room.enclosed for room in rooms]),
-        np.array([_is_gap(room, at_start) for room in rooms]),
-    )
+def _measured(
+    around: _Surroundings, lined: dict[str, np.ndarray], places: np.ndarray
+) -> list[Pocket]:
+    linings = [*lined.values()]
+    at_start, errors = around.rooms(around.start, linings)[0], around.errors(linings)
+    rooms: list[list[Room]] = []
+    for part in np.array_split(places, -(-len(places) // AT_ONCE)):
+        rooms += around.rooms(around.frames(part), linings)
+    return [
+        Pocket(
+            name,
+            around.atoms[lined[name]],
+            np.unique(around.residues[lined[name]]),
+            first.enclosed,
+            float(error),
+            np.array([room.enclosed for room in own]),
+            np.array([_is_gap(room, first) for room in own]),
+        )
+        for name, first, error, own in zip(
+            lined, at_start, errors, zip(*rooms, strict=True), strict=True
+        )
+    ]
 
 
 def _is_gap(room: Room, at_start: Room) -> bool:
@@ -183,20 +196,20 @@ def _lined(
     analysis: Analysis, around: _Surroundings, kept: list[AtomGroup]
 ) -> dict[str, np.ndarray]:
     """The atoms that line each pocket, by the pocket's name."""
-    start = analysis[ReferenceStructure].positions
     labels = analysis.residue_labels
     lined: dict[str, np.ndarray] = {}
     for ligand in kept:
-        lining = around.beside(start, ligand.ix)
+        lining = around.beside(ligand.ix)
         if len(lining) >= LEAST_LINING and len(lined) < MOST_SITES:
             lined[f"site of {labels[ligand.resindices[0]]}"] = lining
     sites = len(lined)
-    for lining in around.found(start):
+    for lining in around.found(around.start)[0]:
         if len(lined) < sites + MOST_AT_START and _is_new(around, lining, lined):
             lined[f"pocket {len(lined) - sites + 1}"] = lining
-    for lining in _grown(analysis, around, lined):
-        is_open = around.room(start, lining).enclosed >= LEAST_VOLUME
-        what = f"pocket that {'widens' if is_open else 'opens'}"
+    grown = _grown(analysis, around, lined)
+    rooms = around.rooms(around.start, grown)[0] if grown else []
+    for lining, room in zip(grown, rooms, strict=True):
+        what = f"pocket that {'widens' if room.enclosed >= LEAST_VOLUME else 'opens'}"
         lined[f"{what} {1 + sum(name.startswith(what) for name in lined)}"] = lining
     return lined
 
@@ -213,16 +226,19 @@ def _grown(
     analysis: Analysis, around: _Surroundings, lined: dict[str, np.ndarray]
 ) -> list[np.ndarray]:
     """The atoms that line pockets of some frames that have more room there than at the start."""
-    shapes, start = analysis.get(OtherShapes), analysis[ReferenceStructure].positions
+    shapes = analysis.get(OtherShapes)
     spread = np.linspace(0, len(analysis.frames) - 1, SEARCHED).round().astype(int)
+    places = np.union1d(spread, [] if shapes is None else shapes.places).astype(int)
+    frames = around.frames(places)
     grown = []
-    for place in np.union1d(spread, [] if shapes is None else shapes.places).astype(int):
-        positions = analysis.positions(place)
-        for lining in around.found(positions):
-            if _is_new(around, lining, lined):
-                before, now = around.room(start, lining), around.room(positions, lining)
-                if not _is_gap(now, before):
-                    grown.append((now.enclosed - before.enclosed, place, lining))
+    for place, frame, found in zip(places, frames, around.found(frames), strict=True):
+        linings = [lining for lining in found if _is_new(around, lining, lined)]
+        if not linings:
+            continue
+        before, now = around.rooms(np.array([around.start[0], frame]), linings)
+        for lining, first, then in zip(linings, before, now, strict=True):
+            if not _is_gap(then, first):
+                grown.append((then.enclosed - first.enclosed, place, lining))
     known = dict(lined)
     for growth, place, lining in sorted(grown, key=lambda one: (-one[0], one[1])):
         if growth < LEAST_GROWTH or len(known) == len(lined) + MOST_GROWN:

@@ -103,6 +103,7 @@ def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
     one_chain = len(set(chains)) == 1 and len(trace) == len(trace_of(analysis.atoms))
     known = quartiles_of_like(softness(start)) if one_chain else None
     shapes = []
+    opened = pockets.larger_than_at_start(places)
     for k, place in enumerate(places):
         turns = rigid_turns(start, analysis.positions(place)[trace], chains)
         shapes.append(
@@ -113,7 +114,7 @@ def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
                 float(groups.distances[k].mean()),
                 turns,
                 _contacts_gone(analysis, place),
-                pockets.larger_than_at_start(place),
+                opened[k],
             )
         )
     near_count = int(np.count_nonzero(groups.rmsd <= groups.limit))

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from pliant.lab.peers import gromacs
 from pliant.lab.peers.gromacs import Gromacs, Program, Setting, lincs_settings
+
 from pliant.measure import bars as _bars
 
 COUNT = 3000  #: joints, of which all but the first two are free

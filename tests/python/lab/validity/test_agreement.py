@@ -6,9 +6,9 @@ import pytest
 from expected_warnings import read_without_elements
 from pliant.lab.structures import amino_part, trace_of
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
-from pliant.measure import agreement as alike
 
 import pliant
+from pliant.measure import agreement as alike
 
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 
