@@ -58,6 +58,9 @@ int run_program(const std::string& name, const Arguments& arguments) {
   std::fflush(nullptr);
   // It answers each of them with an exit code of its own, once Python has started.
   if (name == "ensemble") hold_requests_to_end();
+  // NumPy's own threads wait for each other by counting: matrices of some hundred rows take three
+  // times the CPU time on two of them, and no less time.
+  set_if_unset("OPENBLAS_NUM_THREADS", "1");
   become_program(path, arguments);
   fail_to_run(path);
 }

@@ -10,11 +10,17 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from pliant._core import FileError, OutputFile
+from pliant._core import FileError, InputError, OutputFile
 from pliant.base.console import NO_ROOM, printable_name
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
+
+
+def check_folder(folder: Path) -> None:
+    """Asked before the input is read; the folder is made when there is something to write."""
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"{folder}: is a file, expected a folder for the results")
 
 
 class NewFile(io.FileIO):

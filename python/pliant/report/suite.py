@@ -15,6 +15,7 @@ import MDAnalysis  # noqa: F401  (before pliant.measure, which says that it lack
 from pliant.base.checked import NOT_ZERO, PAIRS_OF_TEXTS, checked, whole
 from pliant.base.console import MOST_PROCESSES, printable_name
 from pliant.base.display import Displayed, Facts
+from pliant.base.new_file import check_folder
 from pliant.base.progress import Stages
 from pliant.base.verdict import Verdict, verdict_of_all
 from pliant.measure.shapes.representatives import medoids
@@ -23,7 +24,7 @@ from pliant.report.multi_model import write_chosen
 from pliant.report.page.additions import NOTHING, Additions
 from pliant.report.representatives import REMARK
 from pliant.report.sections.table import STAGES, analyse_trajectory
-from pliant.report.write import check_folder, report_of, write_report
+from pliant.report.write import report_of, write_report
 from pliant.trajectory.files import file_of
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import HasFrames

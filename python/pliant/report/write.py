@@ -8,8 +8,8 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from pliant._core import InputError, techniques
-from pliant.base.new_file import write_text
+from pliant._core import techniques
+from pliant.base.new_file import check_folder, write_text
 from pliant.measure.stages.analysis import Analysis
 from pliant.report.build import Report
 from pliant.report.page.additions import NOTHING, Additions
@@ -24,12 +24,6 @@ from pliant.report.sections.table import SECTIONS
 from pliant.trajectory.kind import ENSEMBLE
 
 MOST_FACTS = 7  #: beside the molecule
-
-
-def check_folder(folder: Path) -> None:
-    """Asked before the input is read; the folder is made when there is something to write."""
-    if folder.exists() and not folder.is_dir():
-        raise InputError(f"{folder}: is a file, expected a folder for the results")
 
 
 def report_of(analysis: Analysis, more: Additions = NOTHING) -> Report[Analysis]:

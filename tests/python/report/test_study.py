@@ -12,12 +12,13 @@ from pliant.base.verdict import verdict_of_all
 from pliant.checks.findings import Finding
 from pliant.checks.force_field import verdicts as verdicts_of_md
 from pliant.report.check.check_report import CheckReport
+from pliant.report.study.studied import LABELS
+from pliant.report.study.suite import STAGES
 from real_files import MOLECULES, PEPTIDE
 
 import pliant
 
 MDAnalysis = pytest.importorskip("MDAnalysis")
-LABELS = pytest.importorskip("pliant.report.study.answers").LABELS
 additions = pytest.importorskip("pliant.report.study.sections").additions
 report_of = pytest.importorskip("pliant.report.write").report_of
 UnitFlexibility = pytest.importorskip("pliant.report.sections.flexible").UnitFlexibility
@@ -51,6 +52,12 @@ def test_one_folder_has_a_page_an_ensemble_and_representatives(studied):
     assert set(wanted.split()) <= names
     assert studied.page == studied.folder / "report.html"
     assert len(studied.representatives.frames) == 20
+
+
+def test_the_bar_has_room_for_all_stages():
+    measured = pytest.importorskip("pliant.report.sections.table").STAGES
+    others = ("sampling", "reading", "path", "representatives", "MD starts", "figures and page")
+    assert len(measured) + len(others) == STAGES
 
 
 def test_the_answers_are_at_the_head_of_the_page(studied):

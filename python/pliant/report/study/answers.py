@@ -23,9 +23,6 @@ if TYPE_CHECKING:
 
 MOST_NAMED = 5  #: residues, ligands or hinges that a line names
 
-#: what answers are called where people read them
-LABELS = {"together": "moves as one"}
-
 
 def answers(study: Study) -> dict[str, str]:
     """Question in a word -> its answer in a line."""

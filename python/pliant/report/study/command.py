@@ -80,7 +80,7 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _study(arguments: argparse.Namespace) -> int:
-    from pliant.report.study.answers import LABELS
+    from pliant.report.study.studied import LABELS
     from pliant.report.study.suite import study
 
     file = arguments.file

@@ -15,7 +15,7 @@ from pliant.report.page.additions import Additions
 from pliant.report.page.html import sentence
 from pliant.report.section import Section
 from pliant.report.sections.headings import ON_THE_WAY, STARTS
-from pliant.report.study.answers import LABELS
+from pliant.report.study.studied import LABELS
 
 if TYPE_CHECKING:
     from pliant.jobs.path.found import MolecularPath

@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from pliant.base.display import Displayed, Facts
 
+#: what answers are called where people read them
+LABELS = {"together": "moves as one"}
+
 if TYPE_CHECKING:
     from pliant.jobs.path.found import MolecularPath
     from pliant.measure.shapes.representatives import Representatives

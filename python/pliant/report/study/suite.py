@@ -1,41 +1,29 @@
 # SPDX-License-Identifier: MIT
-"""The stages of a study: sample, path, analyse, representatives, check, page."""
+"""A study from its options: what they may be, its ensemble, and the stages after it."""
 
 from __future__ import annotations
 
 import contextlib
+import importlib
 import os
-import warnings
+import subprocess
+import threading
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from pliant._core import Error, InputError, OptionError, PathOptions, path_rows
+from pliant._core import Error, InputError, OptionError, path_rows
 from pliant.adapters.smiles import embedded
 from pliant.base.checked import SEED, checked, whole
-from pliant.base.extras import MissingPackageError, need
+from pliant.base.extras import need
+from pliant.base.new_file import check_folder
 from pliant.base.progress import Stages
 from pliant.base.said import noted
-from pliant.checks.force_field.minimise import why_not_file
-from pliant.jobs.path import walk
 from pliant.jobs.process import job_options, molecule_rows, run_job
-from pliant.measure.stages.analysis import AnalysisOptions
-from pliant.report.check.suite import check as check_frames
-from pliant.report.page.additions import Additions
-from pliant.report.representatives import representatives
-from pliant.report.sections.table import STAGES, analyse_trajectory
-from pliant.report.study.answers import answers
-from pliant.report.study.sections import additions, sections
 from pliant.report.study.studied import Sampled, Study
-from pliant.report.suite import DPI, AnalysisReport
-from pliant.report.write import check_folder, write_report
 
-if TYPE_CHECKING:
-    from pliant.measure.shapes.representatives import Representatives
-
-#: frames that stand for all, for docking or to look at
-REPRESENTATIVES = 20
+#: how many there are: the bar of a call has room for so many
+STAGES = 19
 
 
 @checked(frames=whole(4), seed=SEED)
@@ -105,11 +93,58 @@ def study(
     if file is None:
         with noted() as guessed:
             file = _embedded(str(smiles), folder, seed)
-    task = _Task(file, end, folder, seed, frames, asked, check, quiet, tuple(guessed))
+    sample = {"input": os.fspath(file), "seed": seed, "frames": frames, **asked}
+    task: dict[str, Any] = {"file": file, "end": end, "folder": folder, "seed": seed}
+    task |= {"asked": asked, "check": check, "quiet": quiet}
     if on_stage is not None:
-        return task.studied(on_stage)
-    with Stages("studying", 6 + len(STAGES)) as stages:
-        return task.studied(stages)
+        return _studied(sample, guessed, task, on_stage)
+    with Stages("studying", STAGES) as stages:
+        return _studied(sample, guessed, task, stages)
+
+
+def _studied(
+    sample: dict[str, Any],
+    guessed: list[str],
+    task: dict[str, Any],
+    on_stage: Callable[[str], None],
+) -> Study:
+    on_stage("sampling")
+    ensemble = _sampled(task["folder"], sample)
+    ensemble.facts["warnings"] = [*guessed, *ensemble.facts["warnings"]]
+    return _imported().StudyTask(**task).studied(ensemble, on_stage)
+
+
+def _sampled(folder: Path, sample: dict[str, Any]) -> Sampled:
+    """Samples into folder/ensemble.h5md, replacing what is there."""
+    ensemble = folder / "ensemble.h5md"
+    job = {"task": "sample", "output": str(ensemble), "overwrite": True, **sample}
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        return Sampled(run_job(job, talk=_talk), ensemble)
+    except Error:
+        with contextlib.suppress(OSError):  # it holds an earlier study
+            folder.rmdir()
+        raise
+
+
+def _talk(process: subprocess.Popen[bytes], text: bytes) -> bytes:
+    """What the process prints. Meanwhile what comes after it is imported."""
+    beside = threading.Thread(target=_try_to_import)
+    beside.start()
+    try:
+        return process.communicate(text)[0]
+    finally:
+        beside.join()
+
+
+def _try_to_import() -> None:
+    with contextlib.suppress(Exception):  # who uses it says what is wrong
+        _imported()
+
+
+def _imported() -> Any:
+    """The stages after sampling, whose packages take a second and more to import."""
+    return importlib.import_module("pliant.report.study.stages")
 
 
 def _embedded(smiles: str, folder: Path, seed: int) -> Path:
@@ -144,86 +179,3 @@ def _molecule_options(given: dict[str, Any], end: object) -> dict[str, Any]:
     if end is not None and alone:
         raise OptionError(f"{alone[0]}: does not go with END: pliant path does not take it")
     return options
-
-
-@dataclass(frozen=True)
-class _Task:
-    """The stages, in their order."""
-
-    file: str | os.PathLike[str]
-    end: str | os.PathLike[str] | None
-    folder: Path
-    seed: int
-    frames: int | None
-    asked: dict[str, Any]  #: of the molecule
-    check: bool
-    quiet: bool
-    guessed: tuple[str, ...] = ()  #: of a SMILES
-
-    def studied(self, on_stage: Callable[[str], None]) -> Study:
-        on_stage("sampling")
-        self.folder.mkdir(parents=True, exist_ok=True)
-        try:
-            ensemble = self._sampled()
-        except Error:
-            with contextlib.suppress(OSError):  # it holds an earlier study
-                self.folder.rmdir()
-            raise
-        ensemble.facts["warnings"] = [*self.guessed, *ensemble.facts["warnings"]]
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # `sampled` has said what there was to say
-            report = AnalysisReport(
-                analyse_trajectory(AnalysisOptions(str(ensemble.ensemble)), on_stage)
-            )
-            found = Study(os.fspath(self.file), self.folder, ensemble, report)
-            self._path(found, on_stage)
-            on_stage("representatives")
-            found.representatives = self._representatives(found)
-            self._check(found, on_stage)
-            report.more = Additions(sections=[*sections(found)])
-            found.answers = answers(found)
-            report.more = additions(found)
-            on_stage("figures and page")
-            report.outputs = write_report(report.analysis, self.folder, DPI, report.more)
-        return found
-
-    def _sampled(self) -> Sampled:
-        """Samples into folder/ensemble.h5md, replacing what is there."""
-        ensemble = self.folder / "ensemble.h5md"
-        files = {"input": os.fspath(self.file), "output": str(ensemble), "overwrite": True}
-        drawn = {"seed": self.seed, "frames": self.frames, **self.asked}
-        return Sampled(run_job({"task": "sample", **files, **drawn}), ensemble)
-
-    def _path(self, found: Study, on_stage: Callable[[str], None]) -> None:
-        if self.end is None:
-            return
-        on_stage("path")
-        output = self.folder / "path.h5md"
-        options = PathOptions(seed=self.seed, **self.asked)
-        ends = options.start_of(self.file), options.end_of(self.end)
-        found.path = walk.find(*ends, options, output, overwrite=True)
-        found.end = Path(self.end).name
-        found.outputs["path"] = output
-
-    def _representatives(self, found: Study) -> Representatives | None:
-        output, count = self.folder / "representatives.pdb", len(found.report.analysis.frames)
-        try:
-            chosen = representatives(
-                found.sampled.ensemble, min(REPRESENTATIVES, count), output, overwrite=True
-            )
-        except OptionError:
-            return None
-        found.outputs["representatives"] = output
-        return chosen
-
-    def _check(self, found: Study, on_stage: Callable[[str], None]) -> None:
-        path = str(found.sampled.ensemble)
-        found.why_no_check = why_not_file(path) if self.check else "--no-check"
-        if found.why_no_check:
-            return
-        on_stage("MD starts")
-        try:
-            need("the check of MD starts", "openmm")
-            found.check = check_frames(path, quiet=self.quiet)
-        except (MissingPackageError, Error) as error:
-            found.why_no_check = str(error)

@@ -33,6 +33,10 @@ bool is_program(const std::filesystem::path& path);
 /// Returns the name of a program's file: with .exe on Windows.
 std::string program_file(const std::string& name);
 
+/// Sets a variable of the environment of this process, and of those that it starts, unless it is
+/// set already.
+void set_if_unset(const char* variable, const char* value);
+
 using ProgramWords = std::vector<std::string>;
 
 /// Goes on as another program, with these words after its name. Returns only if it cannot be

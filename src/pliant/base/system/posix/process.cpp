@@ -96,6 +96,8 @@ bool is_program(const fs::path& path) {
 
 std::string program_file(const std::string& name) { return name; }
 
+void set_if_unset(const char* variable, const char* value) { ::setenv(variable, value, 0); }
+
 void become_program(const fs::path& program, const ProgramWords& words) {
   std::vector<char*> raw{const_cast<char*>(program.c_str())};
   for (const std::string& word : words) raw.push_back(const_cast<char*>(word.c_str()));

@@ -110,6 +110,10 @@ bool is_program(const fs::path& path) {
 
 std::string program_file(const std::string& name) { return name + ".exe"; }
 
+void set_if_unset(const char* variable, const char* value) {
+  if (std::getenv(variable) == nullptr) ::_putenv_s(variable, value);
+}
+
 void become_program(const fs::path& program, const ProgramWords& words) {
   const Handle process(start(program, words, ::GetStdHandle(STD_INPUT_HANDLE)));
   // Ctrl-C goes to both; the other program says how it ends.

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""What a study does once its ensemble is there: path, analyse, representatives, check, page."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from pliant._core import Error, PathOptions
+from pliant.base.extras import MissingPackageError, need
+from pliant.checks.force_field.minimise import why_not_file
+from pliant.jobs.path import walk
+from pliant.measure.shapes.representatives import Representatives, medoids
+from pliant.measure.stages.analysis import AnalysisOptions
+from pliant.report.check.suite import check as check_frames
+from pliant.report.multi_model import write_chosen
+from pliant.report.page.additions import Additions
+from pliant.report.representatives import REMARK
+from pliant.report.sections.table import analyse_trajectory
+from pliant.report.study.answers import answers
+from pliant.report.study.sections import additions, sections
+from pliant.report.study.studied import Sampled, Study
+from pliant.report.suite import DPI, AnalysisReport
+from pliant.report.write import write_report
+
+#: frames that stand for all, for docking or to look at
+REPRESENTATIVES = 20
+
+
+@dataclass(frozen=True)
+class StudyTask:
+    """The stages after sampling, in their order."""
+
+    file: str | os.PathLike[str]
+    end: str | os.PathLike[str] | None
+    folder: Path
+    seed: int
+    asked: dict[str, Any]  #: of the molecule
+    check: bool
+    quiet: bool
+
+    def studied(self, ensemble: Sampled, on_stage: Callable[[str], None]) -> Study:
+        """All of them."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # sampling has said what there was to say
+            report = AnalysisReport(
+                analyse_trajectory(AnalysisOptions(str(ensemble.ensemble)), on_stage)
+            )
+            found = Study(os.fspath(self.file), self.folder, ensemble, report)
+            self._path(found, on_stage)
+            on_stage("representatives")
+            found.representatives = self._representatives(found)
+            self._check(found, on_stage)
+            report.more = Additions(sections=[*sections(found)])
+            found.answers = answers(found)
+            report.more = additions(found)
+            on_stage("figures and page")
+            report.outputs = write_report(report.analysis, self.folder, DPI, report.more)
+        return found
+
+    def _path(self, found: Study, on_stage: Callable[[str], None]) -> None:
+        if self.end is None:
+            return
+        on_stage("path")
+        output = self.folder / "path.h5md"
+        options = PathOptions(seed=self.seed, **self.asked)
+        ends = options.start_of(self.file), options.end_of(self.end)
+        found.path = walk.find(*ends, options, output, overwrite=True)
+        found.end = Path(self.end).name
+        found.outputs["path"] = output
+
+    def _representatives(self, found: Study) -> Representatives:
+        output = self.folder / "representatives.pdb"
+        analysis = replace(found.report.analysis, parts={})  # nor what was noted of them
+        chosen, places = medoids(analysis, min(REPRESENTATIVES, len(analysis.frames)))
+        write_chosen(analysis, places, output, REMARK)
+        found.outputs["representatives"] = output
+        return replace(chosen, output=str(output))
+
+    def _check(self, found: Study, on_stage: Callable[[str], None]) -> None:
+        path = str(found.sampled.ensemble)
+        found.why_no_check = why_not_file(path) if self.check else "--no-check"
+        if found.why_no_check:
+            return
+        on_stage("MD starts")
+        try:
+            need("the check of MD starts", "openmm")
+            found.check = check_frames(path, quiet=self.quiet)
+        except (MissingPackageError, Error) as error:
+            found.why_no_check = str(error)
