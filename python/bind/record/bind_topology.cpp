@@ -2,6 +2,9 @@
 // Text files beside trajectories: PDB topologies, and graph XML.
 #include <nanobind/stl/filesystem.h>
 
+#include <array>
+#include <cstdio>
+
 #include "arrays.hpp"
 #include "checks.hpp"
 #include "framework/frame.hpp"
@@ -27,6 +30,19 @@ void write_pdb(const std::filesystem::path& path, const Structure& structure,
   const TopologyPdbOptions options{overwrite, hybrid36_bonds, structure.title, python_log()};
   const nb::gil_scoped_release no_gil;
   write_topology_pdb(path, structure.atoms, points, recorded_bonds(structure), options);
+}
+
+std::string lines_with(const std::vector<std::string>& heads, const ArrayLike& positions,
+                       const std::vector<std::string>& tails) {
+  const std::vector<Vec3> points = positions_from(positions, heads.size());
+  std::string text;
+  std::array<char, 64> numbers{};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vec3 p = points[k];
+    std::snprintf(numbers.data(), numbers.size(), "%8.3f%8.3f%8.3f", p.x, p.y, p.z);
+    text.append(heads[k]).append(numbers.data()).append(tails[k]);
+  }
+  return text;
 }
 
 PdbRecorder make_pdb_recorder(const std::filesystem::path& path, const Structure& structure,
@@ -124,6 +140,11 @@ void bind_graph(nb::module_& module) {
             return write_graph_xml(self.framework, self.positions, self.cycles);
           },
           "The file's text, which reads back to the same bits.");
+  module.def("pdb_lines", &lines_with, "heads"_a, "positions"_a, "tails"_a,
+             nb::sig("def pdb_lines(heads: collections.abc.Sequence[str], "
+                     "positions: numpy.typing.ArrayLike, "
+                     "tails: collections.abc.Sequence[str]) -> str"),
+             "Lines of atoms: what stands before their coordinates (N, 3), and what after.");
   module.def("read_graph_xml", &read_graph, "path"_a,
              "Reads a graph XML file: a framework with its positions.\n\n"
              "Raises InputError naming file, line and attribute.");

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant._core import InputError
+from pliant._core import InputError, pdb_lines
 from pliant.base.new_file import new_text
 from pliant.measure.stages.names import chains_of, numbers_of
 from pliant.trajectory.frame_store import FrameStore
@@ -70,8 +70,7 @@ def write_models(
                 file.write(f"MODEL     {k + 1:4d}\n")
             for first in range(0, len(atoms), ATOMS_AT_ONCE):
                 part = slice(first, first + ATOMS_AT_ONCE)
-                rows = zip(heads[part], frame[part].tolist(), tails[part], strict=True)
-                file.writelines(f"{a}{x:8.3f}{y:8.3f}{z:8.3f}{b}" for a, (x, y, z), b in rows)
+                file.write(pdb_lines(heads[part], frame[part], tails[part]))
             if count > 1:
                 file.write("ENDMDL\n")
         file.write("END\n")

@@ -132,7 +132,7 @@ def test_what_is_left_beside_a_rigid_motion_is_what_least_squares_leaves():
         basis[:, :, k] = axis
         basis[:, :, 3 + k] = np.cross(axis, arms)
     left = np.zeros(len(arms))
-    for move in sample.moves[:30].reshape(30, -1, 3).astype(float):
+    for move in sample.moves.T.reshape(30, -1, 3).astype(float):
         amounts = np.linalg.lstsq(basis[body].reshape(-1, 6), move[body].ravel(), rcond=None)[0]
         left += np.sum((move - basis @ amounts) ** 2, axis=1) / 30
     np.testing.assert_allclose(left_over(sample, body), left, rtol=1e-3, atol=1e-4)

@@ -15,12 +15,12 @@ much is found as well. Rigid motions are to first order, turns and shifts of the
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from scipy.cluster.hierarchy import linkage
 from scipy.spatial.distance import pdist, squareform
 
+from pliant._core import left_by_rigid_motion
 from pliant.measure.domains.stretches import over_neighbours, whole_ends, without_short_stretches
 
 #: the halves of a split must move against each other by so much of what they deform (r.m.s.)
@@ -32,10 +32,6 @@ LEAST_SITES = 20
 LEAST_SHARE = 0.05
 
 _MOST_ROUNDS = 6
-#: frames that are multiplied at once, at most ...
-_AT_ONCE = 64
-#: ... and products: beyond some 260,000 OpenBLAS wakes its threads, which takes longer
-_PRODUCTS = 200_000
 
 
 def least_sites(sites: int) -> int:
@@ -48,26 +44,21 @@ class Sample:
     """Frames of n sites with weights, as a split needs them."""
 
     mean: np.ndarray  #: (n, 3) Angstrom
-    moves: np.ndarray  #: (F, 3n) from there; F is a multiple of _AT_ONCE
-    weights: np.ndarray  #: (F,) of the frames, 0 for those that fill up; they sum to 1
-    changes: np.ndarray  #: (n (n - 1) / 2,) standard deviation of the distance of each two sites
+    moves: np.ndarray  #: (3n, F) from there
+    weights: np.ndarray  #: (F,) of the frames; they sum to 1
+    changes: np.ndarray  #: (n, n) standard deviation of the distance of each two sites
     chains: np.ndarray  #: (n,) equal where sites are of one chain
 
     def of(self, sites: np.ndarray) -> Sample:
         """The same of some sites, in their order; a gap between them ends a chain."""
         if len(sites) == len(self.mean):
             return self
-        moves = self.moves.reshape(len(self.moves), -1, 3)[:, sites].reshape(len(self.moves), -1)
-        changes = squareform(squareform(self.changes)[np.ix_(sites, sites)], checks=False)
+        moves = self.moves.reshape(len(self.mean), 3, -1)[sites].reshape(3 * len(sites), -1)
+        changes = self.changes[np.ix_(sites, sites)]
         chains = self.chains[sites]
         ends = (np.diff(sites) > 1) | (chains[1:] != chains[:-1])
         stretches = np.cumsum(np.append(False, ends))
         return Sample(self.mean[sites], moves, self.weights, changes, stretches)
-
-    @cached_property
-    def squares(self) -> np.ndarray:
-        """(3n,) mean square fluctuation of each coordinate."""
-        return np.asarray(self.weights @ (self.moves * self.moves))
 
 
 class Frames:
@@ -80,7 +71,8 @@ class Frames:
         sizes = [len(block) for block in blocks]
         chosen = positions[np.concatenate(blocks)]
         self._mean = chosen.mean(axis=0)
-        self._flat = (chosen - self._mean).reshape(len(chosen), -1).astype(np.float32)
+        flat = (chosen - self._mean).reshape(len(chosen), -1).astype(np.float32)
+        self._flat = np.ascontiguousarray(flat.T)
         self._chains, self._sizes = chains, np.array(sizes)
         self._block = np.repeat(np.arange(len(blocks)), sizes)
         at_mean = pdist(self._mean)
@@ -96,14 +88,12 @@ class Frames:
         """Each block as many times as `times` (B,) says."""
         part = (times / (times @ self._sizes)).astype(np.float32)
         used = np.flatnonzero(part[self._block])
-        filled = np.resize(used, -(-len(used) // _AT_ONCE) * _AT_ONCE)
-        flat, weights = self._flat[filled], part[self._block[filled]]
-        weights[len(used) :] = 0.0
-        shift = weights @ flat
+        flat, weights = np.take(self._flat, used, axis=1), part[self._block[used]]
+        shift = flat @ weights
         first, second = (part @ sums for sums in self._sums)
-        changes = np.sqrt(np.maximum(second - first * first, 0.0))
+        changes = squareform(np.sqrt(np.maximum(second - first * first, 0.0)))
         mean = self._mean + shift.reshape(-1, 3)
-        return Sample(mean, flat - shift, weights, changes, self._chains)
+        return Sample(mean, flat - shift[:, None], weights, changes, self._chains)
 
 
 def rigid_bodies(sample: Sample) -> np.ndarray:
@@ -132,7 +122,7 @@ def _split(sample: Sample, whole: np.ndarray, least_gain: float) -> list[np.ndar
     within = left_within(part, np.arange(len(whole)))
     if within < least_gain or within <= 0:
         return []
-    tree = linkage(part.changes, "average")
+    tree = linkage(squareform(part.changes, checks=False), "average")
     best: list[np.ndarray] = []
     for count in (2, 3):  # of three in a row, two halves would share out the one between
         first = _first_parts(tree, count, least)
@@ -209,29 +199,4 @@ def left_within(sample: Sample, body: np.ndarray) -> float:
 def left_over(sample: Sample, body: np.ndarray) -> np.ndarray:
     """(n,) mean square fluctuation of every site that is left when all follow the rigid motion
     that fits a body best (least squares)."""
-    sites = len(sample.mean)
-    motions = np.zeros((6, sites, 3))  # three shifts, and turns about three axes
-    arms = sample.mean - sample.mean[body].mean(axis=0)
-    for k in range(3):
-        after, last = (k + 1) % 3, (k + 2) % 3
-        motions[k, :, k] = 1.0
-        motions[3 + k, :, last] = arms[:, after]
-        motions[3 + k, :, after] = -arms[:, last]
-    own = np.zeros_like(motions)
-    own[:, body] = motions[:, body]
-    flat, fitted = (one.reshape(6, -1).astype(np.float32) for one in (motions, own))
-    moves = sample.moves.reshape(-1, _frames_at_once(sites), 3 * sites)
-    amounts = (moves @ fitted.T) @ np.linalg.pinv(fitted @ fitted.T)  # (parts, frames, 6)
-    weighted = amounts * sample.weights.reshape(*moves.shape[:2], 1)
-    along = np.sum(weighted.transpose(0, 2, 1) @ moves, axis=0)  # (6, 3n)
-    square = weighted.reshape(-1, 6).T @ amounts.reshape(-1, 6)
-    left = sample.squares + np.sum((square @ flat - 2.0 * along) * flat, axis=0)
-    return np.asarray(left.reshape(sites, 3).sum(axis=1))
-
-
-def _frames_at_once(sites: int) -> int:
-    """A power of two up to _AT_ONCE."""
-    count = _AT_ONCE
-    while count > 1 and count * 18 * sites > _PRODUCTS:
-        count //= 2
-    return count
+    return left_by_rigid_motion(sample.mean, sample.moves, sample.weights, body)

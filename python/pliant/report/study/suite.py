@@ -111,7 +111,8 @@ def _studied(
     on_stage("sampling")
     ensemble = _sampled(task["folder"], sample)
     ensemble.facts["warnings"] = [*guessed, *ensemble.facts["warnings"]]
-    return _imported().StudyTask(**task).studied(ensemble, on_stage)
+    found: Study = _imported().StudyTask(**task).studied(ensemble, on_stage)
+    return found
 
 
 def _sampled(folder: Path, sample: dict[str, Any]) -> Sampled:
