@@ -128,6 +128,6 @@ function(pliant_is_alone result target source)
 endfunction()
 
 # For targets that are called, not waited for: their own code is not worth the time that -O3 takes
-# to compile it. The library is always optimized whole.
+# to compile it. What computes and records always has it.
 add_library(pliant_quick_compile INTERFACE)
 target_compile_options(pliant_quick_compile INTERFACE $<$<CONFIG:Release>:-O1>)
