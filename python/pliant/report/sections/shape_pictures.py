@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from scipy.interpolate import CubicSpline
 
 from pliant.base import style
 from pliant.measure.shapes.other_shapes import OtherShapes, Shape
@@ -20,33 +19,44 @@ POINTS = 4
 LONGEST_STEP = 8.0  #: from residue to residue, Angstrom; a longer one is a gap
 NEARER = 2.0  #: Angstrom in front of the start: the shape is seen where it has not moved
 SCALE = 10.0  #: length of the bar in the corner, Angstrom
+BESIDE = np.array([4.0, 16.0])  #: room between two panels, Angstrom
 
 
 def shape_pictures(analysis: Analysis) -> Figure:
-    """One panel a shape."""
+    """One panel a shape, all to one scale: they share axes, of which each would take as long to
+    draw as what is in them."""
     part = analysis[OtherShapes]
     columns = min(COLUMNS, len(part.shapes))
-    rows = -(-len(part.shapes) // columns)
-    width = style.WIDE[0] * max(columns, 2) / COLUMNS
-    figure, axes = style.new_figure(
-        (width, rows * style.WIDE[0] / COLUMNS * 1.12), rows, columns, squeeze=False
-    )
+    width, rows = style.WIDE[0] * max(columns, 2) / COLUMNS, -(-len(part.shapes) // columns)
     start = analysis[ReferenceStructure].positions[part.sites]
-    for panel in axes.flat:
-        panel.set_axis_off()
-    for number, (panel, shape) in enumerate(zip(axes.flat, part.shapes, strict=False), 1):
-        _draw(panel, start, shape)
-        panel.set_title(f"{number}: {shape.rmsd:.1f} Å, frame {shape.frame}", fontsize=8.5)
+    pairs = [_seen(start, shape) for shape in part.shapes]
+    size = 2 * np.max([np.abs(pair[..., :2]).max(axis=(0, 1)) for pair in pairs], axis=0) + BESIDE
+    height = width * rows * size[1] / (columns * size[0])
+    figure, axes = style.new_figure((width, height))
+    axes.set_axis_off()
+    for k, (shape, pair) in enumerate(zip(part.shapes, pairs, strict=True)):
+        place = size * (k % columns, -(k // columns))
+        _draw(axes, pair + np.append(place, 0.0), shape)
+        name = f"{k + 1}: {shape.rmsd:.1f} Å, frame {shape.frame}"
+        at = place + size * (-0.5, 0.5)
+        axes.text(*at, name, fontsize=8.5, weight="bold", color=style.INK, va="top")
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.autoscale_view()
     return figure
 
 
-def _draw(axes: Axes, start: np.ndarray, shape: Shape) -> None:
+def _seen(start: np.ndarray, shape: Shape) -> np.ndarray:
+    """(2, n, 3) the start and the shape about their middle, as they are looked at."""
     turns = shape.turns
     view = _view(start, turns.axes[np.argmax(turns.angles)] if turns.angles.any() else None)
-    middle = start.mean(axis=0)
-    before, after = (start - middle) @ view, (turns.end - middle) @ view
-    shade = np.array(style.DOMAIN_COLOURS, dtype=object)[turns.piece]
-    grey = np.full(len(start), style.GREY, dtype=object)
+    pair = np.array([start, turns.end]) @ view
+    return np.asarray(pair - (pair.min(axis=(0, 1)) + pair.max(axis=(0, 1))) / 2)
+
+
+def _draw(axes: Axes, pair: np.ndarray, shape: Shape) -> None:
+    before, after = pair
+    shade = np.array(style.DOMAIN_COLOURS, dtype=object)[shape.turns.piece]
+    grey = np.full(len(before), style.GREY, dtype=object)
     parts = [_curve(before, grey), _curve(after, shade)]
     segments, depths = (np.concatenate(values) for values in list(zip(*parts, strict=True))[:2])
     shades = [colour for part in parts for colour in part[2]]
@@ -57,12 +67,10 @@ def _draw(axes: Axes, start: np.ndarray, shape: Shape) -> None:
     colours, widths = zip(*styles, strict=True)
     lines = LineCollection(list(paths), colors=colours, linewidths=widths, capstyle="butt")
     axes.add_collection(lines)
-    hinges = np.unique(turns.hinges)
+    hinges = np.unique(shape.turns.hinges)
     axes.scatter(after[hinges, 0], after[hinges, 1], s=9, color=style.INK, zorder=3)
-    corner = np.minimum(before.min(axis=0), after.min(axis=0))[:2] - 2.0
+    corner = pair.min(axis=(0, 1))[:2] - 2.0
     axes.plot(corner[0] + [0.0, SCALE], [corner[1]] * 2, color=style.INK, lw=1.2)
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.autoscale_view()
 
 
 def _view(start: np.ndarray, axis: np.ndarray | None) -> np.ndarray:
@@ -82,9 +90,18 @@ def _curve(points: np.ndarray, colours: np.ndarray) -> tuple[np.ndarray, np.ndar
     A piece goes from halfway before a point to the point, or from there to halfway after it.
     """
     halves = np.arange(2 * (len(points) - 1))
-    curve = CubicSpline(np.arange(len(points)), points)
     # A little further at both ends, so that no gap shows between one piece and the next.
-    pieces = curve(halves[:, None] / 2 + np.linspace(-0.03, 0.53, POINTS))
+    pieces = _on_curve(points, halves[:, None] / 2 + np.linspace(-0.03, 0.53, POINTS))
     whole = np.linalg.norm(np.diff(points, axis=0), axis=1)[halves // 2] < LONGEST_STEP
     shades = colours[(halves[whole] + 1) // 2].tolist()
     return pieces[whole, :, :2], pieces[whole, :, 2].mean(axis=1), shades
+
+
+def _on_curve(points: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Points (m, p, 3) of the curve of Catmull and Rom at places (m, p): whole ones are points."""
+    first = np.clip(places.astype(int), 0, len(points) - 2)
+    t = (places - first)[..., None]
+    ends = np.concatenate([2 * points[:1] - points[1:2], points, 2 * points[-1:] - points[-2:-1]])
+    a, b, c, d = (ends[first + k] for k in range(4))
+    bend = 2 * a - 5 * b + 4 * c - d + (3 * (b - c) + d - a) * t
+    return np.asarray(b + t / 2 * (c - a + bend * t))
