@@ -61,7 +61,7 @@ class TorsionsSampler final : public Sampler {
     for (int k = 0; k < draws_a_conformer && least > little_overlap; ++k) {
       request.targets = start;
       moves_.turn_rotors(draws, how, request.targets);
-      const double here = sterics_.overlap(request.targets);
+      const double here = sterics_.overlap(request.targets, least);
       if (!(here < least)) continue;
       least = here;
       request.from.swap(request.targets);

@@ -97,8 +97,10 @@ TEST(SmallSterics, SumsSquaresOfDepths) {
   const Framework framework({.joint_count = 3, .sterics = test::spheres(3, 3.0)});
   const SmallSterics small(framework);
   EXPECT_EQ(small.pairs().size(), 3U);
-  EXPECT_NEAR(small.overlap(std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {0, 2.5, 0}}), 1.25, 1e-12);
-  EXPECT_EQ(small.overlap(std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}), 0.0);
+  const std::vector<Vec3> near{{0, 0, 0}, {2, 0, 0}, {0, 2.5, 0}};
+  EXPECT_NEAR(small.overlap(near, 9.0), 1.25, 1e-12);
+  EXPECT_EQ(small.overlap(near, 1.0), 1.0);  // which is enough
+  EXPECT_EQ(small.overlap(std::vector<Vec3>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, 9.0), 0.0);
   EXPECT_TRUE(SmallSterics(Framework({.joint_count = 3})).pairs().empty());
 }
 

@@ -10,6 +10,7 @@
 #include "pliant/base/random.hpp"
 #include "pliant/conformers/rings/distance_fit.hpp"
 #include "pliant/conformers/rings/ring_pucker.hpp"
+#include "pliant/resolve/lanes/lane_kernels.hpp"
 
 namespace pliant {
 namespace {
@@ -51,21 +52,23 @@ class SystemForms {
     const std::vector<Bar> angles = system_angles(system, chemistry);
     for (const Bar& bar : framework.bars()) add(bar, !is_among(bar, angles));
     for (const Bar& pair : angles) add(pair, false);
-    all_ = exact_;
-    all_.insert(all_.end(), soft_.begin(), soft_.end());
+    for (const auto* part : {&exact_, &soft_})
+      for (const WantedDistance& at : *part)
+        all_.push_back({std::uint32_t(at.i), std::uint32_t(at.j), at.square});
+    room_.resize(approach_room(all_.size(), start_.size()));
+    places_.resize(start_.size());
+    flat_ = flattened(start_);
   }
 
   std::vector<RingForm> find(std::size_t most) {
     add_form(start_);
-    const std::vector<Vec3> flat = flattened(start_);
     int last = 0;  // that found a form
     for (int k = 0; k < starts && forms_.size() < most; ++k) {
       if (k - last > idle_starts + idle_starts_a_form * int(forms_.size())) break;
-      const std::size_t known = forms_.size();
-      RandomSequence draws({0, Domain::torsion, 0, 0, std::uint64_t(k)});
-      std::vector<Vec3> x = k % 2 == 0 ? start_ : flat;
-      for (Vec3& point : x) point += (shift * draws.uniform()) * draws.direction();
-      if (reach(x)) add_form(std::move(x));
+      const std::size_t known = forms_.size(), lane = std::size_t(k) % lane_count;
+      if (lane == 0) relax_from(k);
+      std::vector<Vec3>& x = relaxed_[lane];
+      if ((well_ >> lane & 1) && is_form(x)) add_form(std::move(x));
       if (forms_.size() > known) last = k;
     }
     mark_chairs();
@@ -94,9 +97,28 @@ class SystemForms {
       to.push_back({i, j, norm_squared(start_[i] - start_[j])});
   }
 
-  bool reach(std::vector<Vec3>& x) const {
-    for (int step = 0; step < system_relaxing_steps; ++step)
-      if (approach(all_, system_relaxing, x) == HUGE_VAL) return false;
+  std::vector<Vec3> shifted(int k) const {
+    RandomSequence draws({0, Domain::torsion, 0, 0, std::uint64_t(k)});
+    std::vector<Vec3> x = k % 2 == 0 ? start_ : flat_;
+    for (Vec3& point : x) point += (shift * draws.uniform()) * draws.direction();
+    return x;
+  }
+
+  /// Eight starts at once, from number k on.
+  void relax_from(int k) {
+    const LaneKernels& kernels = *lane_levels().front();
+    std::array<double*, lane_count> rows{};
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      relaxed_[lane] = shifted(k + int(lane));
+      rows[lane] = &relaxed_[lane][0].x;
+    }
+    kernels.gather(rows.data(), 3 * start_.size(), &places_[0].x);
+    well_ = kernels.approach({all_.data(), all_.size()}, start_.size(), system_relaxing,
+                             system_relaxing_steps, room_.data(), places_.data());
+    kernels.scatter(&places_[0].x, 3 * start_.size(), rows.data());
+  }
+
+  bool is_form(std::vector<Vec3>& x) const {
     return meet(exact_, x) && keeps_angles(x) && keeps_hands(x);
   }
 
@@ -155,8 +177,13 @@ class SystemForms {
 
   const RingSystem& system_;
   const BondChemistry& chemistry_;
-  std::vector<Vec3> start_;
-  std::vector<WantedDistance> exact_, soft_, all_;
+  std::vector<Vec3> start_, flat_;
+  std::vector<WantedDistance> exact_, soft_;
+  std::vector<LaneDistance> all_;
+  std::vector<LaneValue> room_;
+  std::vector<LaneVector> places_;
+  std::array<std::vector<Vec3>, lane_count> relaxed_;
+  LaneMask well_ = 0;  // the lanes that could be relaxed
   std::vector<RingForm> forms_;
 };
 

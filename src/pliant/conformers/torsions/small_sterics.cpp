@@ -18,13 +18,14 @@ SmallSterics::SmallSterics(const Framework& framework) {
       if (const double least = rules.of(a, b); least > 0.0) pairs_.push_back({a, b, least});
 }
 
-double SmallSterics::overlap(std::span<const Vec3> x) const {
+double SmallSterics::overlap(std::span<const Vec3> x, double enough) const {
   double sum = 0.0;
   for (const NeighbourPair& pair : pairs_) {
     const double square = norm_squared(x[pair.a] - x[pair.b]);
     if (square >= pair.least * pair.least) continue;
     const double depth = pair.least - std::sqrt(square);
     sum += depth * depth;
+    if (sum >= enough) break;
   }
   return sum;
 }

@@ -16,8 +16,8 @@ class SmallSterics {
   explicit SmallSterics(const Framework& framework);
 
   std::span<const NeighbourPair> pairs() const { return pairs_; }
-  /// Sum of squared overlaps at `x` (N), Angstrom^2.
-  double overlap(std::span<const Vec3> x) const;
+  /// Sum of squared overlaps at `x` (N), Angstrom^2; of a part of them where that is `enough`.
+  double overlap(std::span<const Vec3> x, double enough) const;
 
  private:
   std::vector<NeighbourPair> pairs_;

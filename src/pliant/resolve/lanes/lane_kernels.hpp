@@ -47,6 +47,18 @@ struct LaneVisit {
   double rest, allowed, near_share, far_share;
 };
 
+/// A squared distance (Angstrom^2) that two of a few points are to have.
+struct LaneDistance {
+  std::uint32_t i, j;
+  double square;
+};
+
+/// How many LaneValues are scratch of `approach`.
+constexpr std::size_t approach_room(std::size_t distances, std::size_t points) {
+  const std::size_t equations = distances > 3 * points ? 3 * points : distances;
+  return (equations + 1) * equations + 4 * distances;
+}
+
 /// Consecutive things in memory (std::span brings functions that would be compiled for each level).
 template <class Thing>
 struct LaneList {
@@ -123,6 +135,11 @@ struct LaneKernels {
   LaneResult (*nearest)(const BarPattern& part, const LaneRoom& room,
                         const LaneNearestRoom& nearest_room, std::int64_t most_iterations,
                         LaneVector* x);
+
+  /// So many steps of approach() of conformers/rings/distance_fit.hpp. Returns the lanes in which
+  /// each could be made; `room` has approach_room() values.
+  LaneMask (*approach)(LaneList<LaneDistance> wanted, std::size_t points, double damped, int steps,
+                       LaneValue* room, LaneVector* x);
 
   const LaneBodyKernels* bodies;  ///< for technique `froda`
 };

@@ -4,6 +4,7 @@
 // another header compiled here could end up in code for every processor.
 #include "pliant/resolve/lanes/lane_bar_newton_kernels.hpp"
 #include "pliant/resolve/lanes/lane_body_kernels.hpp"
+#include "pliant/resolve/lanes/lane_distance_kernels.hpp"
 #include "pliant/resolve/lanes/lane_nearest_kernels.hpp"
 
 #define PLIANT_LANE_TEXT_OF(name) #name
@@ -28,6 +29,7 @@ const LaneKernels kernels = {.level = level_name,
                              .block_newton = block_newton,
                              .shake = shake,
                              .nearest = nearest,
+                             .approach = approach,
                              .bodies = &body_kernels};
 
 }  // namespace pliant::PLIANT_LANE_LEVEL
