@@ -41,6 +41,7 @@ PAGES = {
     "pliant-lab-bench-stress": ["lab", "bench", "stress", "--help"],
     "pliant-lab-bench-step": ["lab", "bench", "step", "--help"],
     "pliant-lab-bench-reading": ["lab", "bench", "reading", "--help"],
+    "pliant-lab-bench-study": ["lab", "bench", "study", "--help"],
     "pliant-lab-bench-validity": ["lab", "bench", "validity", "--help"],
     "pliant-lab-bench-coverage": ["lab", "bench", "coverage", "--help"],
     "pliant-lab-bench-domains": ["lab", "bench", "domains", "--help"],

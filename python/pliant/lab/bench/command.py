@@ -20,6 +20,7 @@ BENCHES = {
     "stress": "every technique on hard cases: far, tiny, huge, redundant, impossible",
     "step": "cost of a step after a push of one joint, in small and in large molecules",
     "reading": "what MDAnalysis takes to read a frame of ours, and one of DCD",
+    "study": "what a study takes, stage by stage",
     "validity": "sampled ensembles beside NMR, MD, crystals and known motions, with ANM and GNM",
     "coverage": "whether the ensemble of one known structure contains the other, with ANM",
     "domains": "whether reported domains repeat between seeds, and are those of known pairs",

@@ -125,18 +125,18 @@ def _do(row: ScalingRow, file: str, words: Sequence[str]) -> None:
         library = file.endswith(LIBRARIES)
         output = os.path.join(folder, "out.sdf" if library else "out.h5md")
         more = [file, "-o", output, "--threads", str(row.threads), "--quiet"]
-        began, used = time.perf_counter(), _cpu_seconds()
+        began, used = time.perf_counter(), cpu_seconds_of_others()
         done = subprocess.run(
             [console.command_path(), *words, *more], capture_output=True, text=True, check=False
         )
         row.seconds = min(row.seconds, time.perf_counter() - began)
-        row.cpu_seconds = min(row.cpu_seconds, _cpu_seconds() - used)
+        row.cpu_seconds = min(row.cpu_seconds, cpu_seconds_of_others() - used)
         if done.returncode not in (0, 3):
             raise InputError(f"{row.job} of {file}: {done.stderr.strip()}")
         row.digest = _digest(Path(folder))
 
 
-def _cpu_seconds() -> float:
+def cpu_seconds_of_others() -> float:
     """Of all processes that ended; not a number where the system does not say."""
     times = os.times()
     return times.children_user + times.children_system if os.name == "posix" else math.nan
