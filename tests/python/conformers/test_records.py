@@ -98,6 +98,13 @@ def test_a_process_that_ends_costs_one_molecule(some_records):
     assert sum(one.conformers > 0 for one in all_of_them) >= 10
 
 
+def test_there_are_no_more_processes_than_records(some_records):
+    found = outcomes(some_records[:2], OPTIONS, 8, False)
+    next(found)
+    assert len(multiprocessing.active_children()) <= 2
+    assert next(found).conformers > 0
+
+
 def test_no_process_is_left_behind(some_records):
     found = outcomes(some_records, OPTIONS, 2, False)
     next(found)

@@ -153,12 +153,11 @@ def outcomes(
     if second is None:
         yield outcome_of(first, options, is_zipped, workers, is_alone=first.number == 1)
         return
-    pool = [_Worker(options, is_zipped) for _ in range(workers)]
+    pool = _Pool(options, is_zipped, workers)
     try:
-        yield from _over(pool, _chained(first, second, waiting), options, is_zipped)
+        yield from _over(pool, _chained(first, second, waiting))
     finally:
-        for worker in pool:
-            worker.end()
+        pool.end()
 
 
 def _chained(first: Record, second: Record, rest: Iterator[Record]) -> Iterator[Record]:
@@ -167,26 +166,47 @@ def _chained(first: Record, second: Record, rest: Iterator[Record]) -> Iterator[
     yield from rest
 
 
-def _over(
-    pool: list[_Worker], records: Iterator[Record], options: ConformerOptions, is_zipped: bool
-) -> Iterator[Outcome]:
+class _Pool:
+    """Processes, each started when there is a record for it."""
+
+    def __init__(self, options: ConformerOptions, is_zipped: bool, most: int) -> None:
+        self._given, self.most = (options, is_zipped), most
+        self._workers: list[_Worker] = []
+
+    @property
+    def busy(self) -> dict[Connection, _Worker]:
+        return {worker.ours: worker for worker in self._workers if worker.record is not None}
+
+    def give(self, record: Record) -> None:
+        """To a process that waits, or a new one. There are fewer busy ones than `most`."""
+        worker = next((one for one in self._workers if one.record is None), None)
+        if worker is not None and not worker.is_alive:
+            worker.end()
+            self._workers.remove(worker)
+            worker = None
+        if worker is None:
+            worker = _Worker(*self._given)
+            self._workers.append(worker)
+        worker.give(record)
+
+    def end(self) -> None:
+        for worker in self._workers:
+            worker.end()
+
+
+def _over(pool: _Pool, records: Iterator[Record]) -> Iterator[Outcome]:
     order: list[int] = []  # numbers that are under way or done, and not yet yielded
     done: dict[int, Outcome] = {}
     is_more = True
     while is_more or order:
-        for k, worker in enumerate(pool):
-            if worker.record is not None or not is_more or len(order) >= AHEAD * len(pool):
-                continue
+        while is_more and len(pool.busy) < pool.most and len(order) < AHEAD * pool.most:
             record = next(records, None)
             if record is None:
                 is_more = False
                 break
-            if not worker.is_alive:
-                worker.end()
-                worker = pool[k] = _Worker(options, is_zipped)
-            worker.give(record)
+            pool.give(record)
             order.append(record.number)
-        busy = {worker.ours: worker for worker in pool if worker.record is not None}
+        busy = pool.busy
         for ready in wait(list(busy)) if busy else ():
             assert isinstance(ready, Connection)
             found = busy[ready].take()
