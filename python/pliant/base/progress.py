@@ -17,9 +17,9 @@ from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Any, Protocol
 
-from pliant.base.extras import is_there, late
+from pliant.base.extras import late
 
-tqdm_auto, rich_console, rich_live = map(late, ("tqdm.auto", "rich.console", "rich.live"))
+tqdm_auto = late("tqdm.auto")
 
 DELAY = 2.0  #: seconds that a call takes before its bar is shown
 INTERVAL = 0.1  #: seconds from one look of a call at its bar, and at Ctrl-C, to the next
@@ -186,11 +186,16 @@ def progress(
 
 @contextlib.contextmanager
 def stages(quiet: bool) -> Iterator[Callable[[str], None]]:
-    """Gives a function that shows what is under way; only on a terminal, and with `rich`."""
-    if quiet or not sys.stderr.isatty() or not is_there("rich"):
-        yield lambda name: None
-        return
-    # Without a thread of its own, which would keep the figures from being drawn in two processes.
-    console = rich_console.Console(stderr=True)
-    with rich_live.Live(console=console, auto_refresh=False, transient=True) as line:
-        yield lambda name: line.update(f"{name} ...", refresh=True)
+    """Gives a function that shows what is under way, on a terminal once DELAY has gone."""
+    shown = not quiet and sys.stderr.isatty()
+    began = time.monotonic()
+
+    def show(name: str) -> None:
+        if shown and time.monotonic() - began >= DELAY:
+            _over_the_line(f"{name} ...")
+
+    try:
+        yield show
+    finally:
+        if shown:
+            _over_the_line("")

@@ -59,6 +59,7 @@ _SETTINGS: dict[Any, Any] = {
     "axes.titlelocation": "left",
     "axes.titlecolor": INK,
     "axes.titlepad": 9,
+    "axes.titley": 1.0,  # else it is looked for at each drawing, below what stands above the axes
     "axes.labelcolor": INK,
     "axes.edgecolor": GREY,
     "axes.linewidth": 0.8,
