@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "messages.hpp"
+#include "options/job_options.hpp"
 #include "output/json.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
