@@ -58,7 +58,7 @@ class CutClosing {
   const BodyPlan& plan_;
   const WorkingTrees& working_;
   std::vector<LoopCut> cuts_;  ///< of working trees, by tree
-  // Of one tree.
+  // The rest is of one tree at a time, but for forces_ and correction_.
   Grouped<Passing> ways_;                                    ///< of each body, by cut
   std::vector<std::array<Twist, 3>> of_copies_, of_joints_;  ///< (cuts) unit forces along the axes
   std::vector<Three> along_;  ///< what arrives at the turns of a body, of each that passes
