@@ -102,7 +102,7 @@ def scaling(
     sizes = {"frames": frames, "steps": steps}
     asked = [
         (ScalingRow(name, os.path.basename(file), count), file, [w.format(**sizes) for w in words])
-        for file in map(os.fspath, files)
+        for file in [os.fspath(one) for one in files]
         for name, words in (LIBRARY_JOBS if file.endswith(LIBRARIES) else PROTEIN_JOBS).items()
         for count in sorted(threads)
     ]
