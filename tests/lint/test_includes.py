@@ -52,7 +52,7 @@ MAY_INCLUDE = {
 # itself stands where ITSELF stands; where that is nowhere, last: it is the door of its wings.
 ITSELF = "itself"
 WINGS = {
-    "base": (ITSELF, "graphs", "math", "system"),
+    "base": (ITSELF, "graphs", "math", "system", "threads"),
     "base/system": (ITSELF, "posix", "windows"),
     "framework": (ITSELF, "measures"),
     "molecule": ("structure", "read", "bonds"),

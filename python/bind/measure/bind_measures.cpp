@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "arrays.hpp"
-#include "pliant/base/system/threads.hpp"
+#include "pliant/base/threads/threads.hpp"
 #include "pliant/measure/pockets.hpp"
 #include "pliant/measure/rigid_motion.hpp"
 #include "pliant/measure/room.hpp"

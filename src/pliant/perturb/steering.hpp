@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/base/system/threads.hpp"
+#include "pliant/base/threads/threads.hpp"
 #include "pliant/perturb/pusher.hpp"
 
 namespace pliant {

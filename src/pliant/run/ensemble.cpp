@@ -8,7 +8,7 @@
 #include <string>
 
 #include "pliant/base/error.hpp"
-#include "pliant/base/system/threads.hpp"
+#include "pliant/base/threads/threads.hpp"
 #include "pliant/resolve/lanes/lane_kernels.hpp"
 #include "pliant/resolve/walkers.hpp"
 #include "pliant/run/together.hpp"

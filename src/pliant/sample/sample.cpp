@@ -9,8 +9,8 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/base/system/ordered_work.hpp"
-#include "pliant/base/system/threads.hpp"
+#include "pliant/base/threads/ordered_work.hpp"
+#include "pliant/base/threads/threads.hpp"
 #include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/framework/measures/check_positions.hpp"
 #include "pliant/framework/measures/limit_counts.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Work on several threads that is shown in order.
-#include "pliant/base/system/ordered_work.hpp"
+#include "pliant/base/threads/ordered_work.hpp"
 
 #include <gtest/gtest.h>
 

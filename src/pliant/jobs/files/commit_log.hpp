@@ -22,7 +22,7 @@
 
 #include "pliant/base/log.hpp"
 #include "pliant/base/parameter.hpp"
-#include "pliant/base/system/threads.hpp"
+#include "pliant/base/threads/threads.hpp"
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/jobs/files/kept_frames.hpp"

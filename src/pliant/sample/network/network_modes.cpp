@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "pliant/base/system/threads.hpp"
+#include "pliant/base/threads/threads.hpp"
 #include "pliant/sample/network/domains.hpp"
 #include "pliant/sample/network/lowest_modes.hpp"
 

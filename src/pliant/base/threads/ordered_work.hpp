@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/base/system/threads.hpp"
+#include "pliant/base/threads/threads.hpp"
 
 namespace pliant {
 
