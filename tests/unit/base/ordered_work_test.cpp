@@ -89,4 +89,25 @@ TEST(OrderedWork, ThrowsWhatIsThrownInAnyThread) {
     }
 }
 
+TEST(OrderedWork, EndsIfAnotherThreadFailsWhileOneIsShown) {
+  using std::chrono::milliseconds;
+  std::atomic<bool> is_shown = false, has_failed = false;
+  int next = 0;
+  const auto take = [&](Share& share, std::size_t) { return share.number = next++, true; };
+  const auto fail_beside = [&](const Share& share, std::size_t thread) {
+    if (thread == 0 || share.number == 0) return;
+    while (!is_shown) std::this_thread::sleep_for(milliseconds(1));
+    has_failed = true;
+    throw std::runtime_error("share");
+  };
+  const auto show_until_it_has_failed = [&](const Share&) {
+    is_shown = true;
+    for (int k = 0; k < 100 && !has_failed; ++k) std::this_thread::sleep_for(milliseconds(1));
+    std::this_thread::sleep_for(milliseconds(5));
+    return true;
+  };
+  OrderedWork<Share> work(2, 8);
+  EXPECT_THROW(work.run(take, fail_beside, show_until_it_has_failed), std::runtime_error);
+}
+
 }  // namespace pliant::ordered_work_test

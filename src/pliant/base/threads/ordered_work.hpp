@@ -57,7 +57,7 @@ class OrderedWork {
     Lock hold(mutex_);
     while (!is_over_) {
       if (is_next_made()) {
-        is_over_ = !show_next(show, hold);
+        if (!show_next(show, hold)) is_over_ = true;  // another thread may have failed meanwhile
         changed_.notify_all();
       } else if (Taken* taken = next(take, 0)) {
         make_one(*taken, make, 0, hold);
