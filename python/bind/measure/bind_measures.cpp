@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What analyses measure of many frames, on all processors.
-#include <algorithm>
-#include <thread>
-
 #include "arrays.hpp"
 #include "pliant/base/threads/threads.hpp"
 #include "pliant/measure/pockets.hpp"
@@ -11,8 +8,6 @@
 
 namespace pliant::python {
 namespace {
-
-std::size_t all_processors() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 using Lining = std::vector<std::uint32_t>;
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <thread>
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/base/threads/threads.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant {
@@ -109,7 +109,7 @@ const TaskEntry& entry_of(std::string_view task) {
 Job usual_job(std::string_view task) {
   Job job;
   job.task = entry_of(task).name;
-  job.sample.threads = job.conformers.threads = std::max(1U, std::thread::hardware_concurrency());
+  job.sample.threads = job.conformers.threads = all_processors();
   if (task == "sample") job.molecule.model.model = automatic_model;
   return job;
 }

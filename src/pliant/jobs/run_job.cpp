@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/system/path_text.hpp"
+#include "pliant/base/threads/threads.hpp"
 #include "pliant/base/version.hpp"
 #include "pliant/jobs/files/frame_output.hpp"
 #include "pliant/jobs/files/molecule_header.hpp"
@@ -67,8 +67,7 @@ void settle_walkers(Job& job) {
   if (job.walkers.one_file) check_one_file(job);
   if (!job.walkers.one_file && !job.output.commits.empty())
     throw OptionError("commits: goes with one_file; other trajectories have --continue");
-  if (job.walkers.threads == 0)
-    job.walkers.threads = std::max(1U, std::thread::hardware_concurrency());
+  if (job.walkers.threads == 0) job.walkers.threads = all_processors();
 }
 
 RunJob::RunJob(Job job, std::string_view dashes) : job_(std::move(job)), dashes_(dashes) {

@@ -31,6 +31,8 @@ struct Condition {
   void notify_all() {}
 };
 
+inline unsigned all_processors() { return 1; }
+
 template <class Work>
 void run_in_threads(std::size_t, const Work& work) {
   work(std::size_t{0});
@@ -40,6 +42,9 @@ void run_in_threads(std::size_t, const Work& work) {
 
 using Mutex = std::mutex;
 using Condition = std::condition_variable;
+
+/// How many threads run at the same time; 1 where the system does not say.
+inline unsigned all_processors() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 /// Calls work(0) in this thread and work(1) ... work(count - 1) in others, and waits for them. The
 /// calls take their tasks from a shared queue, so that a single call can do all of them. `work`
