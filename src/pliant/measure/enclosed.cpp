@@ -88,7 +88,7 @@ class FilledCells {
            inside(place.z, grid_.count[2]);
   }
 
-  /// Cells along an axis that an atom may ray_reach: [first, last].
+  /// Cells along an axis that an atom may reach: [first, last].
   static std::array<std::size_t, 2> range(double place, double radius, std::size_t count) {
     const double low = std::max(std::ceil(place - radius), 0.0);
     const double high = std::min(std::floor(place + radius), static_cast<double>(count) - 1.0);
