@@ -35,15 +35,22 @@ class Saved(Generic[Found]):
 
 
 def save(report: Report[Found], folder: Path, dpi: int) -> Saved[Found]:
-    """Writes CSV files, figures and files for other programs, replacing earlier ones.
+    """Writes CSV files, figures and files for other programs, replacing earlier ones."""
+    with drawing_of(report, folder, dpi) as drawing:
+        return save_beside(report, folder, drawing)
 
-    Figures are drawn meanwhile by a process of their own.
-    """
+
+def drawing_of(report: Report[Found], folder: Path, dpi: int) -> Drawing[Found]:
+    """The figures, which a process of their own begins to draw."""
     folder.mkdir(parents=True, exist_ok=True)
-    with Drawing(report.found, report.pictures, folder, dpi) as drawing:
-        tables = _save_tables(report, folder)
-        files = [path for row in report.sections for path in row.files(report.found, folder)]
-        return Saved(tables, files, drawing.finish())
+    return Drawing(report.found, report.pictures, folder, dpi)
+
+
+def save_beside(report: Report[Found], folder: Path, drawing: Drawing[Found]) -> Saved[Found]:
+    """What `save` writes, where the figures are being drawn."""
+    tables = _save_tables(report, folder)
+    files = [path for row in report.sections for path in row.files(report.found, folder)]
+    return Saved(tables, files, drawing.finish())
 
 
 def _save_tables(report: Report[Found], folder: Path) -> list[Path]:

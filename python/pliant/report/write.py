@@ -12,11 +12,12 @@ from pliant._core import techniques
 from pliant.base.new_file import check_folder, write_text
 from pliant.measure.stages.analysis import Analysis
 from pliant.report.build import Report
+from pliant.report.figures.draw_in_parallel import Drawing
 from pliant.report.page.additions import NOTHING, Additions
 from pliant.report.page.html import table
 from pliant.report.page.page import Page, lead, links, methods, sections_of
 from pliant.report.page.scene import scene
-from pliant.report.save import Saved, save
+from pliant.report.save import Saved, drawing_of, save_beside
 from pliant.report.sections.bars import Residuals
 from pliant.report.sections.exports import ensemble_files
 from pliant.report.sections.headings import HEADINGS, WIDE
@@ -40,10 +41,18 @@ def write_report(
     Files of an earlier report are replaced. `more` is what the report has besides the analysis.
     """
     check_folder(folder)
+    with drawing_of(report_of(analysis), folder, dpi) as drawing:
+        return finish_report(analysis, folder, drawing, more)
+
+
+def finish_report(
+    analysis: Analysis, folder: Path, drawing: Drawing[Analysis], more: Additions
+) -> dict[str, Any]:
+    """The same where the figures of the analysis are being drawn."""
     report = report_of(analysis, more)
-    saved = save(report, folder, dpi)
+    saved = save_beside(report, folder, drawing)
     page = folder / "report.html"
-    write_text(page, _page(report, saved, more, dpi).text(), overwrite=True)
+    write_text(page, _page(report, saved, more, drawing.dpi).text(), overwrite=True)
     return {"report": str(page), **saved.as_json()}
 
 

@@ -30,9 +30,9 @@ def drawn(analysis, folder):
 
 @on_linux
 def test_two_processes_write_the_bytes_of_one(analysis, tmp_path, monkeypatch):
-    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: False)
+    monkeypatch.setattr(draw_in_parallel, "may_fork", lambda: False)
     alone = drawn(analysis, tmp_path / "one")
-    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: True)
+    monkeypatch.setattr(draw_in_parallel, "may_fork", lambda: True)
     monkeypatch.setattr(
         draw_in_parallel.Drawing, "finish", finish_after_the_other(draw_in_parallel.Drawing.finish)
     )
@@ -52,9 +52,9 @@ def finish_after_the_other(finish):
 
 @on_linux
 def test_what_a_process_that_dies_left_out_is_drawn(analysis, tmp_path, monkeypatch):
-    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: False)
+    monkeypatch.setattr(draw_in_parallel, "may_fork", lambda: False)
     alone = drawn(analysis, tmp_path / "one")
-    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: True)
+    monkeypatch.setattr(draw_in_parallel, "may_fork", lambda: True)
     mine = os.getpid()
     save = draw_in_parallel.save_picture
 
@@ -72,7 +72,7 @@ def test_what_a_process_that_dies_left_out_is_drawn(analysis, tmp_path, monkeypa
 
 @on_linux
 def test_no_process_is_left_when_the_work_beside_fails(analysis, tmp_path, monkeypatch):
-    monkeypatch.setattr(draw_in_parallel, "_may_fork", lambda: True)
+    monkeypatch.setattr(draw_in_parallel, "may_fork", lambda: True)
     with pytest.raises(RuntimeError, match="beside"), two_of(analysis, tmp_path) as drawing:
         child = drawing._child
         raise RuntimeError("beside")
@@ -87,7 +87,7 @@ def test_a_process_with_other_threads_is_not_forked(analysis):
     other.start()
     here.wait()
     try:
-        assert not draw_in_parallel._may_fork()
+        assert not draw_in_parallel.may_fork()
     finally:
         go.set()
         other.join()

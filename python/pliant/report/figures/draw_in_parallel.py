@@ -4,13 +4,11 @@
 from __future__ import annotations
 
 import os
-import sys
-import threading
-import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic
 
+from pliant.base.beside import forked, may_fork
 from pliant.base.png import save_png
 from pliant.base.style import styled
 from pliant.report.section import Found, Picture
@@ -24,27 +22,25 @@ class Drawing(Generic[Found]):
 
     A forked process begins at once, and the caller may do other work meanwhile; finish() draws what
     is left and returns all. The figures that are still to be drawn stand in a pipe, a byte each,
-    from which both processes take the next one. Not forked where this process has other threads,
-    whose locks the copy would never see released, where there is no second processor, and on other
-    systems than Linux, whose libraries do not all survive a fork.
+    from which both processes take the next one. Not forked where `may_fork` says so.
     """
 
     def __init__(
         self, found: Found, pictures: Sequence[Picture[Found]], folder: Path, dpi: int
     ) -> None:
-        self._found, self._dpi = found, dpi
+        self._found, self.dpi = found, dpi
         self._pictures = [(picture, folder / f"{picture.name}.png") for picture in pictures]
         self._left, write = os.pipe()
         os.write(write, bytes(range(len(pictures))))
         os.close(write)
-        self._child = self._forked() if len(pictures) > 1 and _may_fork() else None
+        self._child = forked(self._draw_all) if len(pictures) > 1 and may_fork() else None
 
     def finish(self) -> list[tuple[Picture[Found], Path]]:
         """Draws what is left, waits, and returns [(picture, its PNG)]."""
         self._draw_all()
         if not self._child_succeeded():
             for picture, path in self._pictures:  # here an error has its own text
-                save_picture(picture, self._found, path, self._dpi)
+                save_picture(picture, self._found, path, self.dpi)
         return self._pictures
 
     def __enter__(self) -> Self:
@@ -59,41 +55,13 @@ class Drawing(Generic[Found]):
         child, self._child = self._child, None
         return child is None or os.waitpid(child, 0)[1] == 0
 
-    def _forked(self) -> int:
-        with warnings.catch_warnings():
-            warnings.simplefilter(
-                "ignore", DeprecationWarning
-            )  # threads of BLAS, which it restarts
-            child = os.fork()
-        if child == 0:
-            self._draw_and_exit()
-        return child
-
-    def _draw_and_exit(self) -> None:
-        status = 1
-        try:
-            self._draw_all()
-            status = 0
-        finally:
-            os._exit(status)
-
     def _draw_all(self) -> None:
         while taken := os.read(self._left, 1):
             picture, path = self._pictures[taken[0]]
-            save_picture(picture, self._found, path, self._dpi)
+            save_picture(picture, self._found, path, self.dpi)
 
 
 def save_picture(picture: Picture[Found], found: Found, path: Path, dpi: int) -> None:
     """Draws a figure and writes its PNG."""
     with styled():
         save_png(picture.draw(found), path, dpi)
-
-
-def _may_fork() -> bool:
-    return sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1 and _is_alone()
-
-
-def _is_alone() -> bool:
-    """Whether no other thread may hold a lock; tqdm's monitor only has those of progress bars."""
-    others = (one for one in threading.enumerate() if one is not threading.current_thread())
-    return all(type(thread).__name__ == "TMonitor" for thread in others)

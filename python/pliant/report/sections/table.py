@@ -3,14 +3,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from MDAnalysis.exceptions import NoDataError
 
 from pliant._core import OptionError
+from pliant.base.beside import Beside
 from pliant.measure.stages.analysis import Analysis, AnalysisOptions
 from pliant.measure.stages.opened import opened
+from pliant.measure.stages.parts import Part
 from pliant.measure.stages.reference import reference_of
 from pliant.measure.stages.units import units_of
 from pliant.report.section import Columns
@@ -29,6 +31,8 @@ from pliant.report.sections.series import DISTANCES, GYRATION, RMSD
 from pliant.report.sections.stereochemistry import STEREOCHEMISTRY
 from pliant.report.sections.sweeps import SWEEPS
 from pliant.report.sections.torsions import RAMACHANDRAN, TORSIONS
+
+Stage = tuple[str, Callable[[Analysis], Iterable[Part]]]
 
 
 def _per_frame(analysis: Analysis) -> Columns:
@@ -65,6 +69,8 @@ SECTIONS = (
 )
 
 STAGES = tuple((row.stage, row.measure) for row in SECTIONS if row.measure)
+#: from this one on they need nothing of those before
+FIRST_BESIDE = next(k for k, (name, _) in enumerate(STAGES) if name == DISTANCES.stage)
 
 
 def analyse_trajectory(
@@ -78,7 +84,36 @@ def analyse_trajectory(
     on_stage("reading")
     analysis = opened(options)
     analysis = analysis.having(reference_of(analysis)).having(units_of(analysis))
-    for name, measure in STAGES:
+    if analysis.held is None:  # both processes would read from one place in a file
+        return _measured(analysis, STAGES, on_stage)
+    universe, rest = analysis.universe, STAGES[FIRST_BESIDE:]
+    shared = (universe, universe.trajectory, analysis.source, analysis.held)
+    with Beside(lambda: _found(analysis, rest), shared) as beside:
+        first = _measured(analysis, STAGES[:FIRST_BESIDE], on_stage)
+        if found := beside.result():
+            for name, _ in rest:
+                on_stage(name)
+            parts, skipped = found
+            return replace(
+                first, parts={**first.parts, **parts}, skipped={**first.skipped, **skipped}
+            )
+    return _measured(first, rest, on_stage)
+
+
+def _found(
+    analysis: Analysis, stages: Sequence[Stage]
+) -> tuple[Mapping[type[Part], Part], Mapping[str, str]]:
+    """Parts and what is skipped, in a process of its own."""
+    analysis.source.close()  # it is opened again there
+    found = _measured(analysis, stages)
+    return found.parts, found.skipped
+
+
+def _measured(
+    analysis: Analysis, stages: Sequence[Stage], on_stage: Callable[[str], None] = lambda name: None
+) -> Analysis:
+    """The analysis with what some stages found, or why they found nothing."""
+    for name, measure in stages:
         on_stage(name)
         try:
             for part in measure(analysis):

@@ -20,12 +20,13 @@ from pliant.report.check.suite import check as check_frames
 from pliant.report.multi_model import write_chosen
 from pliant.report.page.additions import Additions
 from pliant.report.representatives import REMARK
+from pliant.report.save import drawing_of
 from pliant.report.sections.table import analyse_trajectory
 from pliant.report.study.answers import answers
 from pliant.report.study.sections import additions, sections
 from pliant.report.study.studied import Sampled, Study
 from pliant.report.suite import DPI, AnalysisReport
-from pliant.report.write import write_report
+from pliant.report.write import finish_report, report_of
 
 #: frames that stand for all, for docking or to look at
 REPRESENTATIVES = 20
@@ -51,16 +52,22 @@ class StudyTask:
                 analyse_trajectory(AnalysisOptions(str(ensemble.ensemble)), on_stage)
             )
             found = Study(os.fspath(self.file), self.folder, ensemble, report)
-            self._path(found, on_stage)
-            on_stage("representatives")
-            found.representatives = self._representatives(found)
-            self._check(found, on_stage)
-            report.more = Additions(sections=[*sections(found)])
-            found.answers = answers(found)
-            report.more = additions(found)
-            on_stage("figures and page")
-            report.outputs = write_report(report.analysis, self.folder, DPI, report.more)
+            with drawing_of(report_of(report.analysis), self.folder, DPI) as drawing:
+                self._answer(found, on_stage)
+                on_stage("figures and page")
+                more = report.more
+                report.outputs = finish_report(report.analysis, self.folder, drawing, more)
         return found
+
+    def _answer(self, found: Study, on_stage: Callable[[str], None]) -> None:
+        """What the report has besides that of an analysis."""
+        self._path(found, on_stage)
+        on_stage("representatives")
+        found.representatives = self._representatives(found)
+        self._check(found, on_stage)
+        found.report.more = Additions(sections=[*sections(found)])
+        found.answers = answers(found)
+        found.report.more = additions(found)
 
     def _path(self, found: Study, on_stage: Callable[[str], None]) -> None:
         if self.end is None:
