@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from pliant.base import style
 from pliant.base.console import Table
@@ -185,6 +186,9 @@ def _draw(analysis: Analysis) -> Figure:
         axes.axhline(measured.tolerance, color=style.INK, lw=1.1, ls=(0, (5, 3)), label="tolerance")
     _mark_frames(axes, x, largest, analysis)
     axes.set_yscale("log")
+    # matplotlib's own text takes longer to read than the whole figure to draw
+    axes.yaxis.set_major_formatter(lambda value, _: scientific(value, 0))
+    axes.yaxis.set_minor_formatter(NullFormatter())
     every = np.concatenate([found.max_relative, found.rms_relative, [measured.tolerance]])
     shown = every[every > SMALLEST]
     axes.set_ylim(shown.min() / 3, shown.max() * 4)

@@ -230,13 +230,10 @@ def _draw(analysis: Analysis) -> Figure:
     matrix, units = analysis[Correlations].matrix, analysis[Units]
     figure, axes = style.new_figure((4.9, 4.1))
     colours: dict[str, Any] = {"cmap": "PuOr_r", "vmin": -1, "vmax": 1}
-    edges = np.arange(len(matrix) + 1) * units.site_stride - 0.5
-    if len(matrix) <= MOST_SQUARES:
-        image = axes.pcolormesh(edges, edges, matrix, rasterized=True, **colours)
-    else:
-        extent = (edges[0], edges[-1], edges[0], edges[-1])
-        rounded = matrix.astype(np.float32)
-        image = axes.imshow(rounded, origin="lower", extent=extent, **colours)
+    extent = (-0.5, len(matrix) * units.site_stride - 0.5) * 2
+    how = "nearest" if len(matrix) <= MOST_SQUARES else None
+    colours |= {"origin": "lower", "extent": extent, "interpolation": how}
+    image = axes.imshow(matrix.astype(np.float32), **colours)
     if len(units.labels) <= NAMED_BARS:
         place = np.arange(len(units.labels))
         axes.set_xticks(place, units.labels, rotation=90, fontsize=7)

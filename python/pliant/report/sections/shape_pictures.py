@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
+from matplotlib.collections import PathCollection
+from matplotlib.colors import to_rgba_array
 from matplotlib.figure import Figure
+from matplotlib.path import Path
 
 from pliant.base import style
 from pliant.measure.shapes.other_shapes import OtherShapes, Shape
@@ -55,18 +59,19 @@ def _seen(start: np.ndarray, shape: Shape) -> np.ndarray:
 
 def _draw(axes: Axes, pair: np.ndarray, shape: Shape) -> None:
     before, after = pair
-    shade = np.array(style.DOMAIN_COLOURS, dtype=object)[shape.turns.piece]
-    grey = np.full(len(before), style.GREY, dtype=object)
-    parts = [_curve(before, grey), _curve(after, shade)]
-    segments, depths = (np.concatenate(values) for values in list(zip(*parts, strict=True))[:2])
-    shades = [colour for part in parts for colour in part[2]]
+    grey, *every = to_rgba_array([style.GREY, *style.DOMAIN_COLOURS])
+    shade = np.array(every)[shape.turns.piece]
+    parts = [_curve(before, np.tile(grey, (len(before), 1))), _curve(after, shade)]
+    segments, depths, shades = (np.concatenate(values) for values in zip(*parts, strict=True))
     depths[len(parts[0][1]) :] += NEARER
     order = np.argsort(depths, kind="stable")
-    paths = np.repeat(segments[order], 2, axis=0)  # each over a wider one in white, for depth
-    styles = [style for k in order for style in (("white", 2.8), (shades[k], 1.3))]
-    colours, widths = zip(*styles, strict=True)
-    lines = LineCollection(list(paths), colors=colours, linewidths=widths, capstyle="butt")
-    axes.add_collection(lines)
+    # Each twice, over a wider one in white, for depth: widths take turns.
+    paths = [path for k in order for path in 2 * [Path(segments[k])]]
+    colours = np.ones((len(paths), 4))
+    colours[1::2] = shades[order]
+    look: dict[str, Any] = {"linewidths": (2.8, 1.3), "facecolors": "none", "capstyle": "butt"}
+    axes.add_collection(PathCollection(paths, edgecolors=colours, **look), autolim=False)
+    axes.update_datalim(segments.reshape(-1, 2))
     hinges = np.unique(shape.turns.hinges)
     axes.scatter(after[hinges, 0], after[hinges, 1], s=9, color=style.INK, zorder=3)
     corner = pair.min(axis=(0, 1))[:2] - 2.0
@@ -84,7 +89,7 @@ def _view(start: np.ndarray, axis: np.ndarray | None) -> np.ndarray:
     return np.stack([right, np.cross(towards, right), towards], axis=1)
 
 
-def _curve(points: np.ndarray, colours: np.ndarray) -> tuple[np.ndarray, np.ndarray, list[str]]:
+def _curve(points: np.ndarray, colours: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Pieces (m, p, 2) of a smooth curve through the points, their depths and their colours.
 
     A piece goes from halfway before a point to the point, or from there to halfway after it.
@@ -93,7 +98,7 @@ def _curve(points: np.ndarray, colours: np.ndarray) -> tuple[np.ndarray, np.ndar
     # A little further at both ends, so that no gap shows between one piece and the next.
     pieces = _on_curve(points, halves[:, None] / 2 + np.linspace(-0.03, 0.53, POINTS))
     whole = np.linalg.norm(np.diff(points, axis=0), axis=1)[halves // 2] < LONGEST_STEP
-    shades = colours[(halves[whole] + 1) // 2].tolist()
+    shades = colours[(halves[whole] + 1) // 2]
     return pieces[whole, :, :2], pieces[whole, :, 2].mean(axis=1), shades
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -159,8 +160,12 @@ def _draw_ramachandran(analysis: Analysis) -> Figure:
     pairs, ends = (angles[:, phi].ravel(), angles[:, psi].ravel()), [[-180, 180]] * 2
     counts, *_ = np.histogram2d(*pairs, bins=72, range=ends)
     shares = np.ma.masked_equal(counts.T / counts.sum() / 25.0 * 1e4, 0)
-    edges = np.linspace(-180, 180, 73)
-    image = axes.pcolormesh(edges, edges, shares, cmap=style.MAP + "_r", rasterized=True)
+    squares: dict[str, Any] = {
+        "origin": "lower",
+        "extent": 2 * (-180, 180),
+        "interpolation": "nearest",
+    }
+    image = axes.imshow(shares, cmap=style.MAP + "_r", **squares)
     middle = np.linspace(-180, 180, 361)[:-1] + 0.5
     regions = {"levels": [0.5, 1.5], "colors": [style.VERMILION, style.GREEN], "linewidths": 0.8}
     axes.contour(middle, middle, judged(*np.meshgrid(middle, middle)), **regions)

@@ -11,12 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from pliant._core import Error, PathOptions
-from pliant.base.extras import MissingPackageError, need
-from pliant.checks.force_field.minimise import why_not_file
+from pliant.base.extras import MissingPackageError, late, need
 from pliant.jobs.path import walk
 from pliant.measure.shapes.representatives import Representatives, medoids
 from pliant.measure.stages.analysis import AnalysisOptions
-from pliant.report.check.suite import check as check_frames
 from pliant.report.multi_model import write_chosen
 from pliant.report.page.additions import Additions
 from pliant.report.representatives import REMARK
@@ -27,6 +25,9 @@ from pliant.report.study.sections import additions, sections
 from pliant.report.study.studied import Sampled, Study
 from pliant.report.suite import DPI, AnalysisReport
 from pliant.report.write import finish_report, report_of
+
+# They take a tenth of a second to import, for a check that may not be asked for.
+minimise, checks = map(late, ("pliant.checks.force_field.minimise", "pliant.report.check.suite"))
 
 #: frames that stand for all, for docking or to look at
 REPRESENTATIVES = 20
@@ -90,12 +91,12 @@ class StudyTask:
 
     def _check(self, found: Study, on_stage: Callable[[str], None]) -> None:
         path = str(found.sampled.ensemble)
-        found.why_no_check = why_not_file(path) if self.check else "--no-check"
+        found.why_no_check = minimise.why_not_file(path) if self.check else "--no-check"
         if found.why_no_check:
             return
         on_stage("MD starts")
         try:
             need("the check of MD starts", "openmm")
-            found.check = check_frames(path, quiet=self.quiet)
+            found.check = checks.check(path, quiet=self.quiet)
         except (MissingPackageError, Error) as error:
             found.why_no_check = str(error)
