@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import argparse
+import atexit
 import difflib
 import errno
+import gc
 import json
 import math
 import os
@@ -278,6 +280,7 @@ def run_command(command: str, work: Callable[[], int]) -> int:
     So does a package that is not installed, with 2: the line says how to install it.
     """
     _progress.hide()  # commands draw their own
+    atexit.register(gc.freeze)  # else Python looks for circles in all that was imported, at its end
     try:
         with needed_by("this command"), warnings_shown_by(warn):
             code = work()

@@ -82,7 +82,7 @@ class ResidueContacts:
     def of(self, positions: np.ndarray) -> np.ndarray:
         """Keys R i + j of the residues i < j in contact, rising; positions: (m, 3)."""
         pairs = cKDTree(positions).query_pairs(self._cutoff, output_type="ndarray")
-        ends = np.sort(self._units[pairs], axis=1)
-        first, last = ends.T
+        one, other = self._units[pairs].T
+        first, last = np.minimum(one, other), np.maximum(one, other)
         apart = (last - first > 3) | (self._chains[first] != self._chains[last])
         return np.asarray(np.unique(len(self._chains) * first[apart] + last[apart]))

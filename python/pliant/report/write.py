@@ -49,14 +49,20 @@ def finish_report(
     analysis: Analysis, folder: Path, drawing: Drawing[Analysis], more: Additions
 ) -> dict[str, Any]:
     """The same where the figures of the analysis are being drawn."""
-    report = report_of(analysis, more)
+    report, shown = report_of(analysis, more), scene(analysis)
     saved = save_beside(report, folder, drawing)
     page = folder / "report.html"
-    write_text(page, _page(report, saved, more, drawing.dpi).text(), overwrite=True)
+    write_text(page, _page(report, saved, more, shown, drawing.dpi).text(), overwrite=True)
     return {"report": str(page), **saved.as_json()}
 
 
-def _page(report: Report[Analysis], saved: Saved[Analysis], more: Additions, dpi: int) -> Page:
+def _page(
+    report: Report[Analysis],
+    saved: Saved[Analysis],
+    more: Additions,
+    shown: Mapping[str, Any],
+    dpi: int,
+) -> Page:
     analysis = report.found
     pictures = {picture.name: path for picture, path in saved.pictures}
     files = [*more.files, *saved.files, *saved.tables, *pictures.values()]
@@ -67,7 +73,7 @@ def _page(report: Report[Analysis], saved: Saved[Analysis], more: Additions, dpi
         lead=lead([*report.verdicts.values()], more.answers),
         facts=report.facts(HEADINGS)[:MOST_FACTS],
         sections=sections_of(report, pictures, HEADINGS, WIDE, dpi),
-        scene=scene(analysis),
+        scene=shown,
         notes=[*analysis.notes, *(f"No {what}: {why}." for what, why in analysis.skipped.items())],
         details={
             "Methods": methods(report.methods),
