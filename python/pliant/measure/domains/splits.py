@@ -168,26 +168,27 @@ def _first_parts(tree: np.ndarray, count: int, least: int) -> list[np.ndarray]:
     Smaller branches are set aside."""
     sites = len(tree) + 1
     sizes = np.concatenate([np.ones(sites), tree[:, 3]])
+    branches = tree[:, :2].astype(int).tolist()
     nodes: list[int] = [2 * sites - 2]
     kept: list[int] = []  # no part of theirs is large enough
     while nodes and len(nodes) + len(kept) < count:
         node = nodes.pop(nodes.index(max(nodes)))  # the highest of the tree
-        below = [int(k) for k in tree[node - sites, :2] if sizes[int(k)] >= least]
+        below = [k for k in branches[node - sites] if sizes[k] >= least]
         nodes += below
         if not below:
             kept.append(node)
-    parts = [np.sort(_leaves(tree, node)) for node in (*nodes, *kept)]
+    parts = [np.sort(_leaves(branches, node)) for node in (*nodes, *kept)]
     return parts if len(parts) == count else []
 
 
-def _leaves(tree: np.ndarray, node: int) -> list[int]:
-    found, below, count = [], [node], len(tree) + 1
+def _leaves(branches: list[list[int]], node: int) -> list[int]:
+    found, below, count = [], [node], len(branches) + 1
     while below:
         one = below.pop()
         if one < count:
             found.append(one)
         else:
-            below += tree[one - count, :2].astype(int).tolist()
+            below += branches[one - count]
     return found
 
 
