@@ -47,7 +47,17 @@ def of_bad(command, folder, words):
     return measured([command, *("bad.h5md" if word == "BAD" else word for word in words)], folder)
 
 
-@pytest.mark.parametrize("words", COMMANDS.values(), ids=COMMANDS)
+#: which read as another does
+LIKE_ANOTHER = ("compare theirs", "representatives")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        pytest.param(words, id=name, marks=pytest.mark.long if name in LIKE_ANOTHER else [])
+        for name, words in COMMANDS.items()
+    ],
+)
 def test_positions_that_unpack_to_a_gigabyte(command, good, tmp_path, words):
     expanding(good, tmp_path, "chunk_of_positions")
     before = sorted(tmp_path.iterdir())
@@ -61,7 +71,14 @@ def test_positions_that_unpack_to_a_gigabyte(command, good, tmp_path, words):
     assert sorted(tmp_path.iterdir()) == before
 
 
-@pytest.mark.parametrize("name", ["bars", "chunk_of_bars", "chunk_of_sweeps", "chunk_of_masses"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "bars",
+        "chunk_of_bars",
+        *(pytest.param(f"chunk_of_{of}", marks=pytest.mark.long) for of in ("sweeps", "masses")),
+    ],
+)
 def test_frames_are_saved_where_something_else_expands(command, good, tmp_path, name):
     expanding(good, tmp_path, name)
     code, said, memory = of_bad(command, tmp_path, COMMANDS["recover"])

@@ -12,7 +12,7 @@ WORDS = ["-std=c++20", "-ffp-contract=off", "-fno-strict-aliasing", "-Wno-psabi"
 
 
 @pytest.mark.parametrize("compiler", ["g++", "clang++"])
-@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize("level", ["v4", pytest.param("v3", marks=pytest.mark.long)])
 @pytest.mark.parametrize("optimize", ["-O0", pytest.param("-O1", marks=pytest.mark.long)])
 def test_functions_of_a_lane_level_bear_its_name(compiler, level, optimize, tmp_path):
     if not shutil.which(compiler) or not shutil.which("nm"):

@@ -7,6 +7,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+import unrendered
+from pliant.base.png import save_png
 
 sys.path.insert(0, str(Path(__file__).parent))  # so that tests can import what lies beside them
 from turned_molecule import SYMBOLS, Molecule, rotated
@@ -22,21 +24,30 @@ def zigzag(n):
     return np.stack([1.54 * np.sin(half) * k, 1.54 * np.cos(half) * (k % 2), 0.0 * k], axis=1)
 
 
-#: a picture of one grey dot
-DOT = bytes.fromhex(
-    "89504e470d0a1a0a0000000d4948445200000001000000010800000000"
-    "3a7e9b550000000a49444154789c636800000082008177cd72b60000000049454e44ae426082"
-)
+@pytest.fixture
+def no_drawing(monkeypatch):
+    """Reports with dots for figures, for tests of all else."""
+
+    def save_dot(picture, found, path, dpi):
+        path.write_bytes(unrendered.DOT)
+
+    monkeypatch.setattr("pliant.report.figures.draw_in_parallel.save_picture", save_dot)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def unrendered_figures():
+    """All figures of reports, but those of tests that ask for `rendered`."""
+    before = unrendered.install()
+    yield
+    unrendered.install(before)
 
 
 @pytest.fixture
-def no_drawing(monkeypatch):
-    """Reports with dots for figures, for tests of all else: drawing takes longer than the rest."""
-
-    def save_dot(picture, found, path, dpi):
-        path.write_bytes(DOT)
-
-    monkeypatch.setattr("pliant.report.figures.draw_in_parallel.save_picture", save_dot)
+def rendered():
+    """Figures as users have them."""
+    before = unrendered.install(save_png)
+    yield
+    unrendered.install(before)
 
 
 @pytest.fixture

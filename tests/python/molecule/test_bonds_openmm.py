@@ -12,6 +12,7 @@ pytest.importorskip("openmm")
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
 from openmm import app
+from real_files import unpacked_bytes
 
 # OpenMM reports every alternate location.
 pytestmark = pytest.mark.filterwarnings("ignore:WARNING")
@@ -123,14 +124,14 @@ def compare(path):
     return Comparison(path, support_program.bonds([path])[0])
 
 
-MOST_BYTES = 500_000  # of files that every change is tested with
+MOST_BYTES = 1_000_000  # of the text of files that every change is tested with
 
 
 def by_size(folder, names):
     """Names as parameters; those of large files are for the long tests."""
     return [
         pytest.param(
-            name, marks=pytest.mark.long if (folder / name).stat().st_size > MOST_BYTES else ()
+            name, marks=pytest.mark.long if unpacked_bytes(folder / name) > MOST_BYTES else ()
         )
         for name in names
     ]

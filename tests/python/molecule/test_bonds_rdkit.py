@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Bonds from positions alone against RDKit's, which knows them from the SMILES."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -36,10 +37,15 @@ KNOWN_DIFFERENCES = {
 }
 
 
+#: whose positions RDKit takes as long to find as those of all others
+LONG = () if os.environ.get("PLIANT_ALL") else ("paracyclophane",)
+
+
 def smiles_and_names():
     path = support_program.ROOT / "tests/support/python/molecules.smi"
     lines = path.read_text().splitlines()
-    return [line.split() for line in lines if line and not line.startswith("#")]
+    rows = [line.split() for line in lines if line and not line.startswith("#")]
+    return [row for row in rows if row[1] not in LONG]
 
 
 def embedded(smiles):

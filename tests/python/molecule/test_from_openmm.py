@@ -11,6 +11,9 @@ import pliant
 app = pytest.importorskip("openmm.app")
 
 
+LARGE = pytest.param("POPC.pdb", marks=pytest.mark.long)
+
+
 def pairs(structure):
     return {tuple(bond) for bond in structure.bonds.tolist()}
 
@@ -20,7 +23,7 @@ def packaged(name):
 
 
 @pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
-@pytest.mark.parametrize("name", ["tip3p.pdb", "tip5p.pdb", "test.pdb", "POPC.pdb"])
+@pytest.mark.parametrize("name", ["tip3p.pdb", "tip5p.pdb", "test.pdb", LARGE])
 def test_packaged_files_come_over_as_our_reader_reads_them(name):
     pdb = packaged(name)
     theirs = pliant.from_openmm(pdb.topology, pdb.positions)

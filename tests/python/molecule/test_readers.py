@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 import read_by_others
+from real_files import unpacked_bytes
 from support_program import ROOT
 
 pytest.importorskip("gemmi")
@@ -32,6 +33,7 @@ MDANALYSIS_REFUSES = {
     "4x8u.pdbx": "the extension",
 }
 LARGE = 300_000  # bytes; MDAnalysis takes its time
+LONG = 1_000_000  # bytes of the text of a file that is left to the long tests
 
 
 def molecule_files(folder):
@@ -178,7 +180,15 @@ def test_there_are_many_files():
         assert names.keys() <= FILES.keys()
 
 
-@pytest.mark.parametrize("name", [name for name in FILES if name not in GEMMI_REFUSES])
+def by_size(names):
+    """Names as parameters; those of large files are for the long tests."""
+    return [
+        pytest.param(name, marks=pytest.mark.long if unpacked_bytes(FILES[name]) > LONG else ())
+        for name in names
+    ]
+
+
+@pytest.mark.parametrize("name", by_size(name for name in FILES if name not in GEMMI_REFUSES))
 def test_atoms_are_gemmis(name):
     known = LEFT_OUT.get(name, {}) | FROM_GEMMI.get(name, {})
     assert_same(FILES[name], read_by_others.gemmis(FILES[name]), known)
@@ -187,7 +197,7 @@ def test_atoms_are_gemmis(name):
 SMALL = [name for name, path in FILES.items() if path.stat().st_size < LARGE]
 
 
-@pytest.mark.parametrize("name", [name for name in SMALL if name not in MDANALYSIS_REFUSES])
+@pytest.mark.parametrize("name", by_size(name for name in SMALL if name not in MDANALYSIS_REFUSES))
 def test_atoms_are_those_of_mdanalysis(name):
     known = LEFT_OUT.get(name, {}) | FROM_MDANALYSIS.get(name, {})
     assert_same(FILES[name], read_by_others.mdanalysis(FILES[name]), known, single=True)

@@ -55,7 +55,7 @@ TABLES = set(
 EXPORTS = {"bfactors.pdb", "ensemble.pdb", "modes.nmd", "show.pml", "show.cxc"}
 
 
-def test_it_writes_figures_tables_and_the_page(tmp_path, analysed):
+def test_it_writes_figures_tables_and_the_page(tmp_path, analysed, rendered):
     code, out, err = analysed()
     assert code == 0
     assert err == ""

@@ -277,7 +277,7 @@ def test_json_is_one_object_of_a_fixed_shape(ours, capsys):
     assert captured.err == ""
 
 
-def test_the_table_and_the_pictures(ours, tmp_path, capsys):
+def test_the_table_and_the_pictures(ours, tmp_path, capsys, rendered):
     folder = tmp_path / "new" / "folder"
     assert main([ours, ours, "-o", str(folder)]) == 0
     out = capsys.readouterr().out

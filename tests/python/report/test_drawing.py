@@ -11,6 +11,7 @@ from pliant.report.build import Report
 from pliant.report.figures import draw_in_parallel
 from pliant.report.sections.table import SECTIONS
 
+pytestmark = pytest.mark.usefixtures("rendered")
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
 
 

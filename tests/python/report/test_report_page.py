@@ -51,7 +51,7 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture
-def report(folder, peptide, wander, write_run):
+def report(folder, peptide, wander, write_run, rendered):
     """A report of 30 frames, of which frame 12 has bars far beyond tolerance."""
     path = folder / "out" / "report.html"
     if not path.exists():

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Python commands in forks of one process that has imported what they need, which takes long.
 
-What a fork prints, how it ends, its folder and its environment are those of a process of its own.
+What a fork prints, how it ends, its folder and its environment are those of a process of its own;
+figures of its reports are not rendered.
 """
 
 import atexit
@@ -19,6 +20,8 @@ import threading
 import traceback
 from pathlib import Path
 
+import unrendered
+
 SCRIPTS = Path(sys.executable).parent
 
 #: what the commands import when they begin to work
@@ -30,7 +33,7 @@ HEAVY = tuple(
 )
 
 #: what may differ from the environment of the tests, since no import looks at it
-LATE_VARIABLES = {"PATH", "COLUMNS", "HOME", "SLURM_ARRAY_TASK_ID"}
+LATE_VARIABLES = {"PATH", "COLUMNS", "HOME", "NO_COLOR", "SLURM_ARRAY_TASK_ID"}
 
 
 @functools.cache
@@ -147,6 +150,7 @@ def do(job):
     script = SCRIPTS / f"pliant-{job['words'][0]}"
     main.__file__ = str(script)  # which processes that are spawned import
     sys.argv, sys.path[0] = [str(script), *job["words"][1:]], str(SCRIPTS)
+    unrendered.install()
     module, function = job["command"]
     sys.exit(getattr(importlib.import_module(module), function)())
 

@@ -53,6 +53,13 @@ def real_files() -> list[Path]:
     ]
 
 
+def unpacked_bytes(path: Path) -> int:
+    """How long the text of a file is, which may be packed by gzip."""
+    if path.suffix == ".gz":
+        return int.from_bytes(path.read_bytes()[-4:], "little")
+    return path.stat().st_size
+
+
 def biopython_file(name: str) -> Path | None:
     """A file of Biopython's tests, packed or not; None if they are not installed."""
     for path in (BIOPYTHON / name, BIOPYTHON / (name + ".gz")):
