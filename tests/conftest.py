@@ -10,8 +10,8 @@ import leftovers
 import pytest
 from cpu_seconds import CpuSeconds
 
-# How many objects are made between searches for those that only hold each other. Python's 700 is a
-# third of the time of some tests: all that pytest and the packages have made is searched every time.
+# How many objects are made between searches for those that only hold each other: with Python's 700
+# that is a third of the time of some tests, for all that pytest and the packages made is searched.
 gc.set_threshold(50_000, 10, 20)
 
 

@@ -138,12 +138,12 @@ def bonded(structure: Structure) -> Any:
             molecule.GetAtomWithIdx(atom).SetIsAromatic(True)
     charges = charges_of(structure)
     on_carbon = _has_hydrogens_on_carbon(structure)
-    named = zip(molecule.GetAtoms(), structure.names, charges, strict=True)
-    for k, (atom, name, charge) in enumerate(named):
+    described = zip(molecule.GetAtoms(), charges, _residue_infos(structure), strict=True)
+    for atom, charge, residue in described:
         atom.SetFormalCharge(int(charge))
         atom.SetNoImplicit(on_carbon or atom.GetAtomicNum() != _CARBON)
-        if structure.residue_names[k] != "UNK":
-            atom.SetMonomerInfo(_residue_info(structure, k, str(name)))
+        if residue.GetResidueName() != "UNK":
+            atom.SetMonomerInfo(residue)
     if structure.title:
         molecule.SetProp("_Name", structure.title)
     made: Any = molecule.GetMol()
@@ -169,8 +169,9 @@ def charges_of(structure: Structure) -> npt.NDArray[np.int64]:
     for ends in structure.bonds.T:
         np.add.at(used, ends, orders)
     used[structure.bonds[structure.bond_orders == _AROMATIC]] = 0
+    elements = structure.elements
     for k in np.flatnonzero(used):
-        charges[k] = _CHARGED.get((int(structure.elements[k]), int(used[k])), 0)
+        charges[k] = _CHARGED.get((int(elements[k]), int(used[k])), 0)
     return charges
 
 
@@ -183,15 +184,27 @@ def _has_hydrogens_on_carbon(structure: Structure) -> bool:
     )
 
 
-def _residue_info(structure: Structure, atom: int, name: str) -> Any:
-    return Chem.AtomPDBResidueInfo(
-        f" {name:<3}" if len(name) < 4 else name,
-        int(structure.serials[atom]),
-        residueName=str(structure.residue_names[atom]),
-        residueNumber=int(structure.residue_ids[atom]),
-        chainId=str(structure.chains[atom]),
-        insertionCode=str(structure.insertion_codes[atom]),
+def _residue_infos(structure: Structure) -> list[Any]:
+    """Of each atom. Each column is asked for once, for a structure makes all of it each time."""
+    columns = (
+        structure.names,
+        structure.serials,
+        structure.residue_names,
+        structure.residue_ids,
+        structure.chains,
+        structure.insertion_codes,
     )
+    return [
+        Chem.AtomPDBResidueInfo(
+            f" {name:<3}" if len(name) < 4 else str(name),
+            int(serial),
+            residueName=str(residue),
+            residueNumber=int(number),
+            chainId=str(chain),
+            insertionCode=str(code),
+        )
+        for name, serial, residue, number, chain, code in zip(*columns, strict=True)
+    ]
 
 
 def _warn_of_implicit_hydrogens(molecule: Mol) -> None:

@@ -34,7 +34,7 @@ def test_no_chain_comes_over(chainless):
     assert chainless.label(1).startswith("MET1:")
 
 
-def test_no_table_names_it(chainless, tmp_path):
+def test_no_table_names_it(chainless, tmp_path, no_drawing):
     path = tmp_path / "run.h5md"
     pliant.run(chainless, output=path, steps=5, perturb="displacement", displacement=0.05)
     pliant.analyse(path, tmp_path / "out", dpi=50)

@@ -13,6 +13,8 @@ from pliant.trajectory.recover.recover import recover
 import pliant
 from pliant import analyse
 
+pytestmark = pytest.mark.usefixtures("no_drawing")
+
 PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
 FRAMES = 400
 CONTACT_ENERGY = 3.0  # kcal/mol

@@ -13,6 +13,8 @@ from pliant.trajectory.superposition import pairwise_rmsd
 
 import pliant
 
+pytestmark = pytest.mark.usefixtures("no_drawing")
+
 
 @pytest.fixture
 def run(tmp_path, peptide, wander, write_run):

@@ -94,8 +94,17 @@ def aligned_by_mdanalysis(positions):
     return universe
 
 
-def test_figures_are_those_of_mdanalysis(ours, models):
-    found = pliant.compare(ours, models).residues
+@pytest.fixture(scope="module")
+def compared(tmp_path_factory):
+    """Ours with the models."""
+    folder = tmp_path_factory.mktemp("compared")
+    ours = write_ours(folder / "ours.h5md", motions(80, 1, SIZES, shared=7))
+    (folder / "models.pdb").write_text(pdb_text(motions(60, 2, SIZES, shared=7)))
+    return pliant.compare(ours, folder / "models.pdb").residues
+
+
+def test_figures_are_those_of_mdanalysis(compared):
+    found = compared
     assert found.core.all() and found.ends == ""
     mine = aligned_by_mdanalysis(motions(80, 1, SIZES, shared=7))
     theirs = aligned_by_mdanalysis(np.round(motions(60, 2, SIZES, shared=7), 3))
@@ -117,8 +126,8 @@ def test_figures_are_those_of_mdanalysis(ours, models):
     assert found.subspaces.covered_theirs == pytest.approx(share, abs=0.02)
 
 
-def test_the_bootstrap_error_is_the_spread_over_residues(ours, models):
-    found = pliant.compare(ours, models).residues
+def test_the_bootstrap_error_is_the_spread_over_residues(compared):
+    found = compared
     rng = np.random.default_rng(5)
     draws = rng.integers(0, COUNT, (2000, COUNT))
     values = [np.corrcoef(found.ours.rmsf[i], found.theirs.rmsf[i])[0, 1] for i in draws]

@@ -24,6 +24,8 @@ report_of = pytest.importorskip("pliant.report.write").report_of
 UnitFlexibility = pytest.importorskip("pliant.report.sections.flexible").UnitFlexibility
 main = pytest.importorskip("pliant.report.study.command").main
 
+pytestmark = pytest.mark.usefixtures("no_drawing")
+
 WATER = "HETATM 9001  O   HOH A 901      60.000  60.000  60.000  1.00  0.00           O\n"
 
 

@@ -120,24 +120,31 @@ def _ordered(
         elements=np.concatenate([structure.elements[kept], np.ones(len(carrier), int)])[order],
         names=np.concatenate([structure.names[kept], np.full(len(carrier), "H")])[order],
         residue_of=residue_index,
-        labels=[_label(structure, int(atom)) for atom in firsts],
+        labels=_labels(structure, firsts),
         bonds=np.concatenate(
             [new[bonds], np.column_stack([new[carrier], place[len(kept) :]])]
         ).reshape(-1, 2),
     )
 
 
-def _label(structure: Structure, atom: int) -> str:
-    """ "A:LYS45", of the residue of an atom."""
-    chain = str(structure.chains[atom]).strip()
-    number = f"{structure.residue_ids[atom]}{structure.insertion_codes[atom]}".strip()
-    return f"{chain}:" * bool(chain) + f"{structure.residue_names[atom]}{number}"
+def _labels(structure: Structure, atoms: np.ndarray) -> list[str]:
+    """ "A:LYS45", of the residue of each atom."""
+    columns = (
+        structure.chains,
+        structure.residue_names,
+        structure.residue_ids,
+        structure.insertion_codes,
+    )
+    return [
+        f"{chain.strip()}:" * bool(chain.strip()) + f"{name}{f'{number}{code}'.strip()}"
+        for chain, name, number, code in zip(*(one[atoms] for one in columns), strict=True)
+    ]
 
 
 def _left_out(structure: Structure, is_known: np.ndarray) -> dict[str, int]:
     unknown = np.flatnonzero(~is_known)
     firsts = unknown[np.unique(np.asarray(structure.residue_of)[unknown], return_index=True)[1]]
-    return dict(Counter(str(structure.residue_names[atom]) for atom in firsts))
+    return dict(Counter(map(str, structure.residue_names[firsts])))
 
 
 def _notes_on_ends(molecule: Molecule) -> list[str]:

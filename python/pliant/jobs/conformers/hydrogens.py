@@ -38,9 +38,9 @@ def missing_hydrogens(structure: Structure, radicals: Collection[int]) -> dict[i
     used = _valences_in_use(structure).tolist()
     charges = structure.charges.tolist() or [0] * len(structure)
     unknown = {*radicals, *structure.bonds[structure.bond_orders == 0].ravel().tolist()}
-    missing = {}
-    for k in np.flatnonzero(np.isin(structure.elements, _ELEMENTS)).tolist():
-        valences = _VALENCES.get(int(structure.elements[k]) - int(charges[k]), ())
+    elements, missing = structure.elements, {}
+    for k in np.flatnonzero(np.isin(elements, _ELEMENTS)).tolist():
+        valences = _VALENCES.get(int(elements[k]) - int(charges[k]), ())
         spare = next((one for one in valences if one >= used[k]), used[k]) - used[k]
         if spare and k not in unknown:
             missing[k] = spare

@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from rdkit import Chem
 from rdkit.Chem import AllChem, Mol
 
@@ -50,10 +51,10 @@ def _ligand(path: Path, residue: str, smiles: str) -> Mol | None:
     """The first copy of a residue, with bond orders of the SMILES and hydrogens by RDKit."""
     with_orders: Any = AllChem.AssignBondOrdersFromTemplate
     whole = read_quietly(path)
-    atoms = [k for k, name in enumerate(whole.residue_names) if name == residue]
-    first = {(whole.residue_ids[k], whole.chains[k]) for k in atoms[:1]}
-    atoms = [k for k in atoms if (whole.residue_ids[k], whole.chains[k]) in first]
-    heavy = [k for k in atoms if whole.elements[k] > 1]
+    atoms = np.flatnonzero(whole.residue_names == residue)
+    numbers, chains = whole.residue_ids[atoms], whole.chains[atoms]
+    atoms = atoms[(numbers == numbers[:1]) & (chains == chains[:1])]
+    heavy = atoms[whole.elements[atoms] > 1]
     part = pliant.Structure(whole.positions[heavy], elements=whole.elements[heavy])
     part.perceive_bonds()
     try:

@@ -63,18 +63,15 @@ def b_factors_of(path: str | os.PathLike[str]) -> BFactors:
     names = [str(chain) for chain in structure.chains[trace.atoms]]
     longest = max(sorted(set(names)), key=names.count)
     estimate, atoms = pliant.estimate_b_factors(whole)
-    place = {_key(whole, a): k for k, a in enumerate(atoms)}
-    keys = [_key(structure, a) for a in trace.atoms]
+    place = {key: k for k, key in enumerate(_keys(whole, atoms))}
+    keys = _keys(structure, trace.atoms)
     kept = [k for k, name in enumerate(names) if name == longest and keys[k] in place]
     own = np.array([place[keys[k]] for k in kept])
     values = np.asarray(whole.b_factors, dtype=np.float64)[atoms[own]]
     return BFactors(structure, trace, np.array(kept), values, estimate[own])
 
 
-def _key(structure: pliant.Structure, atom: int) -> tuple[str, int, str]:
-    """Chain, number and insertion code of an atom's residue."""
-    return (
-        str(structure.chains[atom]),
-        int(structure.residue_ids[atom]),
-        str(structure.insertion_codes[atom]),
-    )
+def _keys(structure: pliant.Structure, atoms: np.ndarray) -> list[tuple[str, int, str]]:
+    """Chain, number and insertion code of each atom's residue."""
+    columns = (structure.chains, structure.residue_ids, structure.insertion_codes)
+    return [(str(a), int(b), str(c)) for a, b, c in zip(*(x[atoms] for x in columns), strict=True)]

@@ -224,9 +224,10 @@ def _omegas(links: list[tuple[int, ...]]) -> np.ndarray:
 def _phi_psi(structure: Structure, links: list[tuple[int, ...]]) -> np.ndarray:
     """Rows C, N, CA, C, N of residues between two others, but not glycine and proline."""
     before = {ca: (c, n) for _, c, n, ca in links}
+    kinds = structure.residue_names
     rows = []
     for ca, c, n, _ in links:
-        if ca in before and str(structure.residue_names[ca]) not in ("GLY", "PRO"):
+        if ca in before and str(kinds[ca]) not in ("GLY", "PRO"):
             rows.append([*before[ca], ca, c, n])
     return np.array(rows, dtype=np.int64).reshape(-1, 5)
 
@@ -234,9 +235,11 @@ def _phi_psi(structure: Structure, links: list[tuple[int, ...]]) -> np.ndarray:
 def _chis(structure: Structure) -> np.ndarray:
     """Rows N, CA, CB, gamma, delta of side chains that have chi2, but not of proline."""
     found: dict[int, dict[str, int]] = {}
-    for atom, name in enumerate(structure.names):
-        if str(structure.residue_names[atom]) != "PRO":
-            found.setdefault(int(structure.residue_of[atom]), {})[str(name)] = atom
+    # Once: each time that a structure is asked for a column, it makes all of it.
+    columns = (structure.names, structure.residue_of, structure.residue_names)
+    for atom, (name, residue, kind) in enumerate(zip(*columns, strict=True)):
+        if str(kind) != "PRO":
+            found.setdefault(int(residue), {})[str(name)] = atom
     rows = []
     for atoms in found.values():
         ends = [next((n for n in names if n in atoms), "") for names in (GAMMA, DELTA)]

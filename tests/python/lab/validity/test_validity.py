@@ -143,16 +143,15 @@ def test_files_of_a_given_folder_go_before_packages(packages, tmp_path):
 
 def backbone(path, structure, shift):
     """Writes N, CA, C, O of ten residues; the last five moved."""
+    columns = structure.residue_ids, structure.names, structure.residue_names, structure.positions
     lines = []
-    for k in range(len(structure)):
-        number = int(structure.residue_ids[k])
-        if number > 30 or str(structure.names[k]) not in ("N", "CA", "C", "O"):
+    for k, (number, name, residue, place) in enumerate(zip(*columns, strict=True)):
+        if number > 30 or name not in ("N", "CA", "C", "O"):
             continue
-        x, y, z = structure.positions[k] + (shift if number > 20 else 0.0)
+        x, y, z = place + (shift if number > 20 else 0.0)
         lines.append(
-            f"ATOM  {k + 1:5d}  {structure.names[k]!s:<3} {structure.residue_names[k]} A"
-            f"{number:4d}    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00           "
-            f"{structure.names[k][0]}"
+            f"ATOM  {k + 1:5d}  {name!s:<3} {residue} A{number:4d}    {x:8.3f}{y:8.3f}{z:8.3f}"
+            f"  1.00  0.00           {name[0]}"
         )
     path.write_text("\n".join([*lines, "END", ""]))
 
