@@ -7,9 +7,15 @@ import sys
 import pytest
 from ensembles import PEPTIDE, made
 
+#: It looks after itself seldom: as Dask has it, that takes 8 % of a processor as long as tests run.
 CLUSTER = """
 import sys
+import dask
 from distributed import LocalCluster
+dask.config.set({"distributed.worker.profile.enabled": False})
+seldom = "admin.tick.interval", "admin.system-monitor.interval", "worker.memory.monitor-interval"
+for what in seldom:
+    dask.config.set({f"distributed.{what}": "5s"})
 if __name__ == "__main__":
     one = LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=":0", silence_logs=50)
     print(one.scheduler_address, flush=True)

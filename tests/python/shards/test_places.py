@@ -40,12 +40,11 @@ def test_no_worker_is_reported_once(capfd, monkeypatch):
 
 @pytest.mark.parametrize("is_drawn", [False, True])
 def test_the_dashboard_is_reported_where_something_draws_it(is_drawn, tmp_path):
-    beside = tmp_path / "packages"
-    beside.mkdir()
+    env = None
     if is_drawn:  # enough for Dask to look for it, and to say what is missing
-        (beside / "bokeh.py").write_text("__version__ = '0'\n")
-    path = os.pathsep.join([str(beside), os.environ.get("PYTHONPATH", "")])
-    env = {**os.environ, "PYTHONPATH": path}
+        (tmp_path / "bokeh.py").write_text("__version__ = '0'\n")
+        path = os.pathsep.join([str(tmp_path), os.environ.get("PYTHONPATH", "")])
+        env = {**os.environ, "PYTHONPATH": path}
     ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--workers", 1, env=env)
     assert ended.returncode == 0, ended.stderr
     lines = re.findall(r"note: Dask's dashboard: http://127\.0\.0\.1:\d+/status\n", ended.stderr)

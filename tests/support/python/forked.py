@@ -28,7 +28,8 @@ SCRIPTS = Path(sys.executable).parent
 HEAVY = tuple(
     "MDAnalysis MDAnalysis.analysis.rms dask_jobqueue distributed h5py matplotlib.figure "
     "matplotlib.backends.backend_agg openmm.app rich.live scipy.spatial scipy.stats "
-    "rdkit.Chem.AllChem pliant.jobs.conformers.workers pliant.report.suite pliant.report.check.suite pliant.report.compare.suite "
+    "rdkit.Chem.AllChem pliant.jobs.conformers.workers pliant.report.suite "
+    "pliant.report.check.suite pliant.report.compare.suite "
     "pliant.shards.cluster pliant.shards.flexibility".split()
 )
 
