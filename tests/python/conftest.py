@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-import unrendered
+from forked import DOT, save_dot, save_figures_by
 from pliant.base.png import save_png
 
 sys.path.insert(0, str(Path(__file__).parent))  # so that tests can import what lies beside them
@@ -28,26 +28,26 @@ def zigzag(n):
 def no_drawing(monkeypatch):
     """Reports with dots for figures, for tests of all else."""
 
-    def save_dot(picture, found, path, dpi):
-        path.write_bytes(unrendered.DOT)
+    def no_picture(picture, found, path, dpi):
+        path.write_bytes(DOT)
 
-    monkeypatch.setattr("pliant.report.figures.draw_in_parallel.save_picture", save_dot)
+    monkeypatch.setattr("pliant.report.figures.draw_in_parallel.save_picture", no_picture)
 
 
 @pytest.fixture(scope="session", autouse=True)
 def unrendered_figures():
     """All figures of reports, but those of tests that ask for `rendered`."""
-    before = unrendered.install()
+    before = save_figures_by(save_dot)
     yield
-    unrendered.install(before)
+    save_figures_by(before)
 
 
 @pytest.fixture
 def rendered():
     """Figures as users have them."""
-    before = unrendered.install(save_png)
+    before = save_figures_by(save_png)
     yield
-    unrendered.install(before)
+    save_figures_by(before)
 
 
 @pytest.fixture
