@@ -12,9 +12,10 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from pliant._core import softness
 from pliant.lab.pairs.directions import directions_of
 from pliant.lab.structures import read_quietly
-from pliant.measure.shapes.known_pairs import quartiles_of_like, softness
+from pliant.measure.shapes.known_pairs import quartiles_of_like
 from pliant.trajectory.superposition import rmsd_to
 from scipy.stats import spearmanr
 
@@ -48,6 +49,8 @@ def main() -> None:
             inside.append(found[0] <= off <= found[2])
             width.append(found[2] - found[0])
     every = np.percentile(known[:, 1], [25, 75])
+    line = np.polyfit(*np.log(known.T), 1)
+    print(f"ln(distance) = {line[1]:.2f} + {line[0]:.2f} ln(softness)")
     print(
         f"Spearman {spearmanr(*known.T)[0]:.2f}; left out: {np.mean(inside):.0%} of {len(inside)}"
     )

@@ -24,6 +24,7 @@ void bind_model(nb::module_& module);
 void bind_molecule(nb::module_& module);
 void bind_motion(nb::module_& module);
 void bind_network(nb::module_& module);
+void bind_plausible_shapes(nb::module_& module);
 void bind_order(nb::module_& module);
 void bind_resolve(nb::module_& module);
 void bind_path(nb::module_& module);

@@ -18,6 +18,7 @@ NB_MODULE(_core, module) {
   bind_rigidity(module);
   bind_conformers(module);
   bind_network(module);
+  bind_plausible_shapes(module);
   bind_sample(module);
   bind_measures(module);
   bind_order(module);

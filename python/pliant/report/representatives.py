@@ -19,7 +19,7 @@ from pliant.trajectory.files import file_of
 from pliant.trajectory.sources import Molecule
 from pliant.trajectory.trajectory import HasFrames
 
-REMARK = "chosen by k-medoids; populations are not claimed"
+REMARK = "frames that stand for all; populations are not claimed"
 
 
 @checked(count=whole(1))
@@ -36,8 +36,9 @@ def representatives(
 ) -> Representatives:
     """Chooses `count` frames by k-medoids on the RMSD of frames superposed pair by pair.
 
-    With `shapes`, one frame for each other shape that `analyse` finds in an ensemble of sampler
-    ``reach``, those furthest from the start first.
+    Of an ensemble of sampler ``reach``, half of them are of the frames around the start, half of
+    the others, where plausible ones count more. With `shapes`, one frame for each other shape that
+    `analyse` finds in it, the most plausible first.
 
     Nothing is random: the same file gives the same frames. How many frames are nearest to each is
     no population: how often a shape occurs is not claimed.

@@ -12,9 +12,9 @@
 namespace pliant {
 namespace {
 
-constexpr double wide = 2.0;         // of the amplitude
-constexpr std::int64_t a_round = 4;  // frames: one of wide modes, two turns, one with modes on top
-constexpr std::int64_t with_modes = 1;
+constexpr double wide = 2.0;  // of the amplitude
+/// Frames: one of wide modes, five turns, two with modes on top.
+constexpr std::int64_t a_round = 8, with_modes = 2;
 
 /// Seeds of wide modes and of those on top of turns: near frames have the seed itself.
 constexpr std::uint64_t wide_seed = 1, on_top_seed = 2;
@@ -34,8 +34,8 @@ std::unique_ptr<ModesSampler> modes_of(const SamplerSetting& setting, const Netw
       modes);
 }
 
-/// The first `near_frames` frames are those of `modes`, to the bit. Of each four others one goes
-/// along the modes twice as far, two are turns, and one is a turn with a draw of the modes on top.
+/// The first `near_frames` frames are those of `modes`, to the bit. Of each eight others one goes
+/// along the modes twice as far, five are turns, and two are turns with a draw of the modes on top.
 /// Where no domain can turn, all others go along wide modes.
 class ReachSampler final : public Sampler {
  public:

@@ -9,11 +9,18 @@ import MDAnalysis
 import numpy as np
 import pliant.mdanalysis
 import pytest
+from pliant._core import PlausibleShapes, softness
 from pliant.measure.domains.rigid_turns import rigid_turns
 from pliant.measure.pockets.pocket_grid import find_pockets
-from pliant.measure.shapes.known_pairs import KNOWN, quartiles_of_like, softness
+from pliant.measure.shapes.known_pairs import KNOWN, quartiles_of_like
 from pliant.measure.shapes.other_shapes import other_shapes
-from pliant.measure.shapes.shapes import LEAST_RMSD, MOST_SHAPES, find_shapes
+from pliant.measure.shapes.shapes import (
+    LEAST_RMSD,
+    MOST_SHAPES,
+    REACH,
+    find_shapes,
+    stand_for_others,
+)
 from pliant.measure.stages.analysis import AnalysisOptions
 from pliant.measure.stages.opened import opened
 from pliant.measure.stages.reference import reference_of
@@ -70,7 +77,6 @@ def test_shapes_are_the_groups_that_were_made():
     ):
         assert frame in own
         assert distance.max() < 1.0
-    assert (np.diff(found.rmsd[found.representatives]) < 0).all()
 
 
 def test_a_wider_cloud_around_the_start_hides_what_lies_within_it():
@@ -83,13 +89,55 @@ def test_a_wider_cloud_around_the_start_hides_what_lies_within_it():
     assert len(alone.members) == len(alone.alone) == 0
 
 
-def test_of_many_shapes_those_that_are_alike_are_put_together():
+def test_of_many_shapes_the_most_are_shown_and_the_others_said():
     coils = np.random.default_rng(2).normal(0.0, 3.0, (14, SITES, 3)).cumsum(axis=1)
     start, frames = two_domains(), np.repeat(coils, 2, axis=0)
     found = find_shapes(FrameStore.of(frames), start, np.zeros(len(frames), dtype=bool))
     assert 2 <= len(found.members) <= MOST_SHAPES
-    assert found.cutoff > np.sqrt(2) * LEAST_RMSD
     assert sum(map(len, found.members)) + len(found.alone) == len(found.compared)
+    assert all(distance.max() < REACH for distance in found.distances)
+
+
+def test_each_next_frame_adds_most_to_how_well_all_are_stood_for():
+    random = np.random.default_rng(4)
+    points, scores = random.uniform(0, 30, (60, 2)), random.normal(0.0, 1.0, 60)
+    distances = np.linalg.norm(points[:, None] - points, axis=2)
+    chosen = stand_for_others(distances, scores, 6)
+    near = np.maximum(1 - distances / REACH, 0)
+
+    def stood_for(frames):
+        return near[frames].max(axis=0, initial=0.0) @ np.exp(scores)
+
+    for k, frame in enumerate(chosen):
+        before = chosen[:k]
+        free = [f for f in range(60) if (distances[before, f] >= LEAST_RMSD).all()]
+        best = max(stood_for([*before, f]) for f in free)
+        assert stood_for([*before, frame]) == pytest.approx(best)
+    assert sorted(stand_for_others(distances, scores, 60, apart=0.0)) == list(range(60))
+
+
+def superposed_rmsd(one, other):
+    a, b = (points - points.mean(axis=0) for points in (one, other))
+    u, s, v = np.linalg.svd(a.T @ b)
+    s[2] *= np.sign(np.linalg.det(u @ v))
+    return np.sqrt(max((a**2).sum() + (b**2).sum() - 2 * s.sum(), 0.0) / len(a))
+
+
+def test_plausible_is_what_known_pairs_have_in_common():
+    """The score by its formula; the expected distance by the line through the table of pairs."""
+    start = two_domains()
+    slope, at_1 = np.polyfit(*np.log(KNOWN.T), 1)
+    assert (round(at_1, 2), round(slope, 2)) == (2.07, 0.56)
+    found = PlausibleShapes(start)
+    assert found.expected == pytest.approx(np.exp(2.07 + 0.56 * np.log(softness(start))))
+    gyration = np.sqrt(start.var(axis=0).sum())
+    assert found.openness == pytest.approx(np.tanh((gyration / SITES ** (1 / 3) - 2.97) / 0.15))
+    frames = np.array([turned(start, degrees) for degrees in (10.0, 60.0, 120.0)])
+    off = [np.log(superposed_rmsd(start, frame) / found.expected) for frame in frames]
+    wider = [np.sqrt(frame.var(axis=0).sum()) / gyration - 1 for frame in frames]
+    expected = [-1.6 * a * a - 20.0 * b * found.openness for a, b in zip(off, wider, strict=True)]
+    np.testing.assert_allclose(found.scores(frames), expected, rtol=1e-9)
+    assert np.isfinite(found.scores(start[None])).all()
 
 
 @pytest.mark.parametrize("degrees", [5.0, 60.0, 150.0, 179.0])
@@ -161,6 +209,16 @@ def test_softness_of_four_atoms_in_a_square():
     square = 7.0 * np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.0)])
     # Springs of 2 between all: three eigenvalues 4 x 2.
     assert softness(square) == pytest.approx(1 / 8)
+
+
+def test_softness_is_that_of_a_dense_matrix():
+    positions = np.random.default_rng(5).normal(0.0, 9.0, (70, 3))
+    apart = np.linalg.norm(positions[:, None] - positions, axis=2)
+    near = ((apart < 10.0) & (apart > 0)).astype(float)
+    springs = near * (near @ near)
+    values = np.linalg.eigvalsh(np.diag(springs.sum(axis=1)) - springs)
+    lowest = values[values > 1e-6 * values[-1]][0]
+    assert softness(positions) == pytest.approx(1 / lowest, rel=1e-9)
 
 
 def test_quartiles_are_of_pairs_of_like_softness():

@@ -5,13 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
-#: alpha carbons nearer than this are neighbours, Angstrom
-CUTOFF = 10.0
-#: softness of a structure, and how far another known one of that protein is (RMSD of alpha
-#: carbons, Angstrom): both directions of 29 pairs that BioEmu's benchmark has because they differ
-#: (S. Lewis et al., Science 389 (2025) eadv9817). Made by data/make_known_pairs.py: of 53
-#: directions, each against those of other proteins, 57 % lie between the quartiles. Among 17
-#: measures of softness this one was chosen on the same pairs.
+#: softness of a structure (`pliant._core.softness`), and how far another known one of that protein
+#: is (RMSD of alpha carbons, Angstrom): both directions of 29 pairs that BioEmu's benchmark has
+#: because they differ (S. Lewis et al., Science 389 (2025) eadv9817). Made by
+#: data/make_known_pairs.py: of 53 directions, each against those of other proteins, 57 % lie
+#: between the quartiles. Among 17 measures of softness this one was chosen on the same pairs.
 KNOWN = np.array([
     (0.1088, 3.99),  # P08709
     (0.1090, 1.52),  # P00766
@@ -74,18 +72,6 @@ KNOWN = np.array([
 ])  # fmt: skip  # a table: a row a line
 #: so many pairs that are nearest in softness are taken
 LIKE = 16
-
-
-def softness(positions: np.ndarray) -> float:
-    """1 / the lowest eigenvalue, but zeros, of Kirchhoff's matrix of alpha carbons (n, 3).
-
-    The spring of two neighbours (within CUTOFF) is the number of neighbours that they share.
-    """
-    apart = np.linalg.norm(positions[:, None] - positions, axis=2)
-    near = ((apart < CUTOFF) & (apart > 0)).astype(np.float64)
-    springs = near * (near @ near)
-    values = np.linalg.eigvalsh(np.diag(springs.sum(axis=1)) - springs)
-    return float(1.0 / values[values > 1e-6 * values[-1]][0])
 
 
 def quartiles_of_like(soft: float, known: np.ndarray = KNOWN) -> np.ndarray | None:

@@ -39,7 +39,12 @@ def k_medoids(distances: np.ndarray, count: int) -> Medoids:
         if np.array_equal(better, chosen):
             break
         chosen = better
-    sizes = np.bincount(np.argmin(distances[:, chosen], axis=1), minlength=count)
+    return owned_by(distances, chosen)
+
+
+def owned_by(distances: np.ndarray, chosen: np.ndarray) -> Medoids:
+    """Frames (k,) that were chosen, and which frames (F, F) each stands for."""
+    sizes = np.bincount(np.argmin(distances[:, chosen], axis=1), minlength=len(chosen))
     chosen = chosen[np.lexsort((chosen, -sizes))]
     owner = np.argmin(distances[:, chosen], axis=1)
     return Medoids(chosen, owner, distances[np.arange(len(distances)), chosen[owner]])

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.spatial.distance import pdist
 
+from pliant._core import PlausibleShapes, softness
 from pliant.measure.domains.rigid_turns import RigidTurns, rigid_turns
 from pliant.measure.pockets.opened_pockets import PocketChange, PocketFinder
-from pliant.measure.shapes.known_pairs import quartiles_of_like, softness
+from pliant.measure.shapes.known_pairs import quartiles_of_like
 from pliant.measure.shapes.shapes import ShapeGroups, find_shapes
 from pliant.measure.stages.names import chains_of
 from pliant.measure.stages.parts import Part, ReferenceStructure
@@ -27,6 +29,8 @@ REMARK_OF_SHAPES = "one frame per shape; populations are not claimed"
 LEAST_SITES = 20
 #: of more residues than these every second one is compared, or third ...
 MOST_SITES = 1000
+#: alpha carbons that come this near, from beyond the second, make a contact, Angstrom
+MADE_WITHIN, MADE_FROM = 8.0, 10.0
 #: frames around the start whose pockets are measured, to know how much pockets differ without cause
 NEAR_LOOKED_AT = 5
 
@@ -41,6 +45,8 @@ class Shape:
     spread: float  #: mean RMSD of its frames from that one, Angstrom
     turns: RigidTurns  #: of the sites, from the start to that frame
     gone: np.ndarray | None  #: contacts of the start that it lacks; None: the file does not say
+    made: int  #: pairs of sites that came together: from beyond MADE_FROM to within MADE_WITHIN
+    wider: float  #: change of the radius of gyration, as a share of that of the start
     pockets: tuple[PocketChange, ...]  #: larger than at the start, largest growth first
 
 
@@ -53,9 +59,14 @@ class OtherShapes(Part):
     near: int  #: frames no further from the start than the limit
     groups: ShapeGroups | None
     places: np.ndarray  #: (k,) of the representatives, among the frames analysed
-    shapes: tuple[Shape, ...]  #: furthest from the start first
+    shapes: tuple[Shape, ...]  #: the most plausible first
     #: (3,) quartiles of how far known pairs of like softness are apart, Angstrom; None: not known
     known: np.ndarray | None
+    openness: float  #: of the start, from -1, compact, to 1, open
+
+    def is_beyond(self, shape: Shape) -> bool:
+        """Whether a shape is further from the start than three of four known pairs are apart."""
+        return self.known is not None and shape.rmsd > self.known[2]
 
     @property
     def alone(self) -> int:
@@ -71,9 +82,11 @@ def shape_groups(analysis: Analysis) -> tuple[np.ndarray, ShapeGroups] | None:
     if not _has_shapes(analysis) or analysis.reaches is None:
         return None
     trace = trace_of(analysis.atoms).ix
-    trace = trace[:: -(-len(trace) // MOST_SITES)]
+    stride = -(-len(trace) // MOST_SITES)
+    trace = trace[::stride]
     start = analysis[ReferenceStructure].positions[trace]
-    return trace, find_shapes(analysis.stored_positions(trace), start, ~analysis.reaches)
+    frames, near = analysis.stored_positions(trace), ~analysis.reaches
+    return trace, find_shapes(frames, start, near, stride ** (1 / 3))
 
 
 def _has_shapes(analysis: Analysis) -> bool:
@@ -90,7 +103,7 @@ def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
     found = shape_groups(analysis)
     none = np.zeros(0, dtype=np.int64)
     if found is None:
-        yield OtherShapes(False, none, len(analysis.frames), None, none, (), None)
+        yield OtherShapes(False, none, len(analysis.frames), None, none, (), None, 0.0)
         return
     trace, groups = found
     places = groups.representatives
@@ -105,7 +118,8 @@ def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
     shapes = []
     opened = pockets.larger_than_at_start(places)
     for k, place in enumerate(places):
-        turns = rigid_turns(start, analysis.positions(place)[trace], chains)
+        end = analysis.positions(place)[trace]
+        turns = rigid_turns(start, end, chains)
         shapes.append(
             Shape(
                 int(analysis.frames[place]),
@@ -114,6 +128,8 @@ def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
                 float(groups.distances[k].mean()),
                 turns,
                 _contacts_gone(analysis, place),
+                _contacts_made(start, end),
+                _gyration(end) / _gyration(start) - 1.0,
                 opened[k],
             )
         )
@@ -123,9 +139,19 @@ def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
         notes.append(f"shapes are of {len(groups.compared)} frames taken evenly")
     if shapes and pockets.why_not:
         notes.append(f"no pockets of shapes: {pockets.why_not}")
+    openness = PlausibleShapes(start).openness if one_chain else 0.0
     yield OtherShapes(
-        True, trace, near_count, groups, places, tuple(shapes), known, notes=tuple(notes)
+        True, trace, near_count, groups, places, tuple(shapes), known, openness, notes=tuple(notes)
     )
+
+
+def _contacts_made(start: np.ndarray, end: np.ndarray) -> int:
+    came = (pdist(start) > MADE_FROM) & (pdist(end) < MADE_WITHIN)
+    return int(np.count_nonzero(came))
+
+
+def _gyration(positions: np.ndarray) -> float:
+    return float(np.sqrt(positions.var(axis=0).sum()))
 
 
 def _contacts_gone(analysis: Analysis, place: int) -> np.ndarray | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A few frames that stand for all: by k-medoids on the RMSD, or one for each other shape."""
+"""A few frames that stand for all, near and far from the start, or one for each other shape."""
 
 from __future__ import annotations
 
@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant._core import OptionError
+from pliant._core import OptionError, PlausibleShapes
 from pliant.base.display import Displayed, Facts
-from pliant.measure.shapes.medoids import k_medoids
+from pliant.measure.shapes.medoids import k_medoids, owned_by
 from pliant.measure.shapes.other_shapes import shape_groups
+from pliant.measure.shapes.shapes import stand_for_others
+from pliant.measure.stages.reference import reference_of
 from pliant.trajectory.kind import ENSEMBLE
 from pliant.trajectory.superposition import pairwise_rmsd
 
@@ -32,6 +34,7 @@ class Representatives(Displayed):
     largest_distance: float  #: Angstrom
     compared: int  #: frames that were compared
     superposed_on: str  #: atoms
+    around: int  #: of the k, frames around the start; others were drawn to reach further
     notes: tuple[str, ...]
     output: str = ""  #: the file written
 
@@ -41,6 +44,8 @@ class Representatives(Displayed):
         far = f"{self.mean_distance:.2f} Å on average, {self.largest_distance:.2f} Å at most"
         compared = f"{self.compared} frames, superposed on {self.superposed_on}"
         files = [("file", self.output)] if self.output else []
+        if 0 < self.around < len(self.frames):
+            chosen += f" ({self.around} around the start, {len(self.frames) - self.around} beyond)"
         return [("frames", chosen), ("a frame is off", far), ("compared", compared), *files]
 
     def as_json(self) -> dict[str, Any]:
@@ -60,18 +65,44 @@ def medoids(analysis: Analysis, count: int) -> tuple[Representatives, np.ndarray
     if analysis.kind != ENSEMBLE:
         notes.append("these frames are no independent draws: see pliant sample")
     compared = np.concatenate(list(analysis.some_positions(analysis.fitted.ix)))[::stride]
-    found = k_medoids(pairwise_rmsd(compared.astype(np.float64)), count)
-    chosen = found.frames * stride
+    distances = pairwise_rmsd(compared.astype(np.float64))
+    beyond = np.zeros(len(compared), dtype=bool)
+    if analysis.reaches is not None:
+        beyond = analysis.reaches[::stride]
+    others = _of_others(analysis, compared, distances, beyond, count)
+    around = _medoids_among(distances, np.flatnonzero(~beyond), count - len(others))
+    found = owned_by(distances, np.concatenate([around, others]))
     representatives = Representatives(
-        analysis.frames[chosen],
+        analysis.frames[found.frames * stride],
         np.bincount(found.owner, minlength=count),
         float(found.distance.mean()),
         float(found.distance.max()),
         len(compared),
         analysis.fitted_name,
+        len(around),
         tuple(notes),
     )
-    return representatives, chosen
+    return representatives, found.frames * stride
+
+
+def _of_others(
+    analysis: Analysis, compared: np.ndarray, distances: np.ndarray, beyond: np.ndarray, count: int
+) -> np.ndarray:
+    """Half of the frames asked for, of those drawn to reach further: as shapes are chosen."""
+    others = np.flatnonzero(beyond)
+    wanted = min(len(others), max(count // 2, count - np.count_nonzero(~beyond)))
+    if not wanted:
+        return others[:0]
+    start = reference_of(analysis).positions[analysis.fitted.ix]
+    scores = PlausibleShapes(start).scores(compared[others].astype(np.float64))
+    among = distances[np.ix_(others, others)]
+    return np.asarray(others[stand_for_others(among, scores, wanted, apart=0.0)])
+
+
+def _medoids_among(distances: np.ndarray, frames: np.ndarray, count: int) -> np.ndarray:
+    if not count:
+        return frames[:0]
+    return np.asarray(frames[k_medoids(distances[np.ix_(frames, frames)], count).frames])
 
 
 def one_per_shape(analysis: Analysis) -> tuple[Representatives, np.ndarray]:
@@ -88,6 +119,7 @@ def one_per_shape(analysis: Analysis) -> tuple[Representatives, np.ndarray]:
         float(distances.max()),
         len(groups.compared),
         "CA and P atoms",
+        0,
         tuple(analysis.notes),
     )
     return representatives, groups.representatives

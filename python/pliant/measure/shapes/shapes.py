@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Shapes among the frames of an ensemble: groups of frames that are alike, far from the start."""
+"""Shapes among the frames of an ensemble: frames far from the start that stand for the others."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.cluster.hierarchy import fcluster, linkage
-from scipy.spatial.distance import squareform
 
+from pliant._core import PlausibleShapes
 from pliant.trajectory.frame_store import FrameStore
 from pliant.trajectory.superposition import pairwise_rmsd, rmsd_to
 
-#: what is nearer to the start than this is no other shape, Angstrom
+#: what is nearer to the start, or to another shape, than this is no other shape, Angstrom
 LEAST_RMSD = 3.0
-#: more shapes than these are put together, the most alike first
 MOST_SHAPES = 8
+#: a frame stands for those that are nearer than this, the more the nearer, Angstrom
+REACH = 8.0
 #: a frame that is like no other is no shape
 LEAST_FRAMES = 2
 #: of more frames than fit, evenly taken ones are compared; so are those beyond MOST_COMPARED
@@ -29,22 +29,22 @@ class ShapeGroups:
 
     rmsd: np.ndarray  #: (F,) from the start, Angstrom
     limit: float  #: frames up to here count as around the start, Angstrom
-    cutoff: float  #: groups of frames that are less apart on average are one shape, Angstrom
     compared: np.ndarray  #: (c,) frames beyond the limit that were compared
-    representatives: np.ndarray  #: (k,) frames, furthest from the start first
+    representatives: np.ndarray  #: (k,) frames, the most plausible first
     members: tuple[np.ndarray, ...]  #: k times the frames of a shape
     distances: tuple[np.ndarray, ...]  #: of these from the representative, Angstrom
-    alone: np.ndarray  #: (a,) frames that were compared and are like no other
+    alone: np.ndarray  #: (a,) frames that were compared and are like no shape
 
 
-def find_shapes(frames: FrameStore, start: np.ndarray, near: np.ndarray) -> ShapeGroups:
-    """Groups of the frames that are further from the start than those around it.
+def find_shapes(
+    frames: FrameStore, start: np.ndarray, near: np.ndarray, scale: float = 1.0
+) -> ShapeGroups:
+    """Frames that stand for those further from the start than all around it.
 
     frames: (F, n, 3); start: (n, 3); near: (F,) bool, drawn around the start: another shape is
-    further from it than these all are, and than LEAST_RMSD. RMSDs are of pairs superposed. Of two
-    frames that each scatter by the limit about one shape the RMSD is sqrt(2) times the limit, so
-    groups that are less apart on average are put together (average linkage), and more of them until
-    there are at most MOST_SHAPES.
+    further from it than these all are, and than LEAST_RMSD. RMSDs are of pairs superposed. See
+    `stand_for_others`; a frame is of the shape that it is nearest to. `scale`: how far apart the
+    sites are, 1 for all alpha carbons.
     """
     rmsd = np.concatenate([rmsd_to(block, start[None])[:, 0] for block in frames.blocks()])
     limit = LEAST_RMSD
@@ -53,33 +53,48 @@ def find_shapes(frames: FrameStore, start: np.ndarray, near: np.ndarray) -> Shap
     far = np.flatnonzero(~near & (rmsd > limit))
     most = min(MOST_COMPARED, max(2, COMPARED_BYTES // (24 * len(start))))
     compared = far[:: max(1, -(-len(far) // most))]
-    cutoff = float(np.sqrt(2.0) * limit)
     if len(compared) < LEAST_FRAMES:
         none = np.zeros(0, dtype=np.int64)
-        return ShapeGroups(rmsd, limit, cutoff, compared, none, (), (), compared)
-    distances = pairwise_rmsd(frames.take(compared).astype(np.float64))
-    labels, cutoff = _cut(linkage(squareform(distances, checks=False), "average"), cutoff)
-    groups = [np.flatnonzero(labels == k) for k in range(1, labels.max() + 1)]
-    shapes = [group for group in groups if len(group) >= LEAST_FRAMES]
-    centres = [group[np.argmin(distances[np.ix_(group, group)].sum(axis=0))] for group in shapes]
-    order = np.argsort([-rmsd[compared[c]] for c in centres], kind="stable")
+        return ShapeGroups(rmsd, limit, compared, none, (), (), compared)
+    chosen = frames.take(compared).astype(np.float64)
+    distances = pairwise_rmsd(chosen)
+    scores = PlausibleShapes(start, scale).scores(chosen)
+    centres = stand_for_others(distances, scores, MOST_SHAPES)
+    nearest = np.argmin(distances[centres], axis=0)
+    reached = distances[centres].min(axis=0) < REACH
+    groups = [np.flatnonzero(reached & (nearest == k)) for k in range(len(centres))]
+    shapes = [k for k, group in enumerate(groups) if len(group) >= LEAST_FRAMES]
+    members = [groups[k] for k in shapes]
     return ShapeGroups(
         rmsd,
         limit,
-        cutoff,
         compared,
-        np.array([compared[centres[k]] for k in order], dtype=np.int64),
-        tuple(compared[shapes[k]] for k in order),
-        tuple(distances[centres[k], shapes[k]] for k in order),
-        compared[np.isin(np.arange(len(compared)), [g[0] for g in groups if len(g) == 1])],
+        compared[centres[shapes]],
+        tuple(compared[own] for own in members),
+        tuple(distances[centres[k], own] for k, own in zip(shapes, members, strict=True)),
+        compared[np.setdiff1d(np.arange(len(compared)), np.concatenate([*members, []]))],
     )
 
 
-def _cut(tree: np.ndarray, cutoff: float) -> tuple[np.ndarray, float]:
-    """The group of each frame, from 1, at the lowest cut from `cutoff` on that has few shapes."""
-    heights = tree[:, 2]
-    for height in (cutoff, *heights[heights > cutoff]):
-        labels = fcluster(tree, height, "distance")
-        if np.count_nonzero(np.bincount(labels) >= LEAST_FRAMES) <= MOST_SHAPES:
-            break
-    return labels, float(height)
+def stand_for_others(
+    distances: np.ndarray, scores: np.ndarray, most: int, apart: float = LEAST_RMSD
+) -> np.ndarray:
+    """(k,) frames that stand best for all, those that add most first.
+
+    distances: (F, F) Angstrom; scores: (F,) logarithms of how plausible each is. A frame at
+    distance d is stood for by 1 - d / REACH, and counts by how plausible it is; each next frame is
+    the one that adds most to the sum (G. Nemhauser et al., Math. Program. 14 (1978) 265), and is
+    `apart` from those before (Angstrom).
+    """
+    near = np.maximum(1.0 - distances / REACH, 0.0)
+    weights = np.exp(scores - scores.max())
+    stood = np.zeros(len(near))
+    chosen: list[int] = []
+    free = np.ones(len(near), dtype=bool)
+    while len(chosen) < most and free.any():
+        gains = np.maximum(near - stood, 0.0) @ weights
+        chosen.append(int(np.argmax(np.where(free, gains, -1.0))))
+        stood = np.maximum(stood, near[chosen[-1]])
+        free &= distances[chosen[-1]] >= apart
+        free[chosen[-1]] = False
+    return np.array(chosen, dtype=np.int64)

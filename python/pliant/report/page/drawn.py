@@ -35,7 +35,7 @@ def drawn_atoms(
     every = np.arange(count)
     if count <= min(most, MAX_WITH_HYDROGENS) or len(heavy) == count <= most:
         return DrawnAtoms(every)
-    if len(heavy) <= most:
+    if 0 < len(heavy) <= most:
         return DrawnAtoms(heavy, (f"all atoms except the {count - len(heavy)} hydrogens",))
     if 4 <= len(found := trace()) <= most:
         return DrawnAtoms(found, ("the CA and P atoms only",), trace_only=True)

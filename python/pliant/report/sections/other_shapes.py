@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pliant.base.console import Table
+from pliant.base.console import Table, counted
 from pliant.base.verdict import Verdict
 from pliant.measure.shapes.other_shapes import REMARK_OF_SHAPES, OtherShapes, Shape, other_shapes
 from pliant.measure.stages.analysis import Analysis
@@ -28,6 +28,8 @@ NO_POPULATION = (
 )
 #: contacts of a shape that the page names
 NAMED = 4
+#: what is less is neither open nor compact, or opens nor closes
+LEAST_OPENNESS, LEAST_WIDER = 0.3, 0.01
 
 
 def _verdict(analysis: Analysis) -> Verdict | None:
@@ -46,10 +48,49 @@ def _verdict(analysis: Analysis) -> Verdict | None:
         return Verdict("open", sentence, alone.strip())
     off = [shape.rmsd for shape in part.shapes]
     many = f"{len(off)} other shapes" if len(off) > 1 else "One other shape"
-    far = f"{off[-1]:.1f} to {off[0]:.1f}" if len(off) > 1 else f"{off[0]:.1f}"
+    far = f"{min(off):.1f} to {max(off):.1f}" if len(off) > 1 else f"{off[0]:.1f}"
     total = sum(shape.frames for shape in part.shapes)
     details = f"{total} of {count} frames are of {'these' if len(off) > 1 else 'it'}. {alone}"
+    beyond = sum(map(part.is_beyond, part.shapes))
+    if beyond and part.known is not None:
+        details += f"{beyond} of {len(off)} are {_too_far(part.known)}. "
     return Verdict("open", f"{many}, {far} Å from {start} (CA).", details + NO_POPULATION)
+
+
+def _too_far(known: np.ndarray) -> str:
+    return f"further away than three of four known pairs of proteins as soft ({known[2]:.1f} Å)"
+
+
+def _speaks_for(part: OtherShapes, shape: Shape) -> str:
+    """What makes a shape plausible."""
+    known, texts = part.known, []
+    if known is not None and known[0] <= shape.rmsd <= known[2]:
+        texts.append("as far as known pairs")
+    if _goes_on(part, shape) < 0:
+        closes = shape.wider < 0
+        texts.append(f"{'closes, as open' if closes else 'opens, as compact'} proteins do")
+    if shape.made:
+        texts.append(f"{counted(shape.made, 'pair')} of residues come together")
+    return "; ".join(texts) or "–"
+
+
+def _speaks_against(part: OtherShapes, shape: Shape) -> str:
+    """What makes it less so."""
+    texts = []
+    if part.known is not None and part.is_beyond(shape):
+        texts.append(f"beyond the {part.known[2]:.1f} Å of most known pairs")
+    if _goes_on(part, shape) > 0:
+        opens = shape.wider > 0
+        texts.append(f"{'opens further, though open' if opens else 'closes, though compact'}")
+    return "; ".join(texts) or "–"
+
+
+def _goes_on(part: OtherShapes, shape: Shape) -> int:
+    """1 where an open start opens further or a compact one closes, -1 the other way round; 0 where
+    it does neither, or the start is neither."""
+    if abs(part.openness) < LEAST_OPENNESS or abs(shape.wider) < LEAST_WIDER:
+        return 0
+    return 1 if part.openness * shape.wider > 0 else -1
 
 
 def _turns(analysis: Analysis, shape: Shape) -> list[dict[str, Any]]:
@@ -110,7 +151,8 @@ def _tables(analysis: Analysis) -> Iterator[Table]:
         none = (f"all {part.near} around {start}", "none looked for: see --sampler reach")
         yield Table("", ("frames", "other shapes"), [none])
         return
-    columns = ("how many", "frame shown", "RMSD (Å)", "spread (Å)", "what rotated", "contacts gone")
+    columns = ["how many", "frame shown", "RMSD (Å)", "spread (Å)", "what rotated", "contacts gone"]
+    columns += ["for it", "against it"]
     yield Table(NO_POPULATION, ("frames are", *columns), list(_shape_rows(analysis)))
     pockets = [
         (
@@ -131,17 +173,18 @@ def _shape_rows(analysis: Analysis) -> Iterator[Sequence[str]]:
     """Around the start, each shape, and frames that are alone."""
     part, start = analysis[OtherShapes], analysis[ReferenceStructure].name
     limit = f"up to {part.groups.limit:.1f}" if part.groups else ""
-    yield f"around {start}", f"{part.near}", "–", limit, "–", "–", "–"
+    yield f"around {start}", f"{part.near}", "–", limit, *"–" * 5
     for number, shape in enumerate(part.shapes, 1):
         what = turns_text(analysis, shape), _contacts_text(analysis, shape)
         far = f"{shape.rmsd:.1f}", f"{shape.spread:.1f}"
-        yield f"shape {number}", f"{shape.frames}", f"{shape.frame}", *far, *what
+        speaks = _speaks_for(part, shape), _speaks_against(part, shape)
+        yield f"shape {number}", f"{shape.frames}", f"{shape.frame}", *far, *what, *speaks
     if part.alone or not part.shapes:
-        yield "like no other", f"{part.alone}", "–", "beyond", "–", "–", "–"
+        yield "like no other", f"{part.alone}", "–", "beyond", *"–" * 5
     if part.known is not None:
         half = f"{part.known[0]:.1f} to {part.known[2]:.1f}"
         pairs = "half of the known pairs of structures of proteins as soft"
-        yield pairs, "–", "–", half, "–", "–", "–"
+        yield pairs, "–", "–", half, *"–" * 5
 
 
 def _columns(analysis: Analysis) -> Columns:
@@ -159,6 +202,9 @@ def _columns(analysis: Analysis) -> Columns:
         "largest_turn_degrees": [float(shape.turns.angles.max()) for shape in shapes],
         "turned": turned,
         "rmsd_within_rigid_pieces_angstrom": [shape.turns.within for shape in shapes],
+        "pairs_come_together": [shape.made for shape in shapes],
+        "radius_of_gyration_change": [shape.wider for shape in shapes],
+        "beyond_known_pairs": [int(analysis[OtherShapes].is_beyond(shape)) for shape in shapes],
     }
     if shapes[0].gone is not None:
         gone = [_contacts_gone(analysis, shape) for shape in shapes]
@@ -206,6 +252,9 @@ def _values(analysis: Analysis) -> Values:
             "mean_rmsd_within": shape.spread,
             "turned": _turns(analysis, shape),
             "contacts_gone": None if shape.gone is None else len(shape.gone),
+            "pairs_come_together": shape.made,
+            "radius_of_gyration_change": shape.wider,
+            "beyond_known_pairs": part.is_beyond(shape),
             "pockets": [
                 {
                     "volume": pocket.volume,
@@ -257,13 +306,17 @@ OTHER_SHAPES = Measured(
     methods={
         "Other shapes": (
             "Frames drawn to reach further than those around the start, if their RMSD from it (CA "
-            "or P, superposed) is above 3 Å and above that of every frame around it. They are put "
-            "together (average linkage) while they are less apart than √2 of that limit, and "
-            "further until there are eight shapes at most; single outliers are not listed. The "
-            "frame shown is the medoid; the spread is the mean RMSD of the frames from it. What "
+            "or P, superposed) is above 3 Å and above that of every frame around it. Up to eight "
+            "are shown, at least 3 Å apart: each next one adds most to how well all frames are "
+            "stood for, 1 - RMSD / 8 Å, where plausible frames count more. Plausible is what known "
+            "pairs of structures have in common: they are as far apart as others of that softness, "
+            "open ones close and compact ones open. Of the 24 directions on which this was chosen, "
+            "the first shape is nearer to the other known structure than the start is in 71 %, one "
+            "of the first three in 92 %. The spread is the mean RMSD of the frames nearest to a "
+            "shape from it; frames 8 Å from all shapes, or alone in one, are not listed. What "
             "rotated are pieces that are rigid from the start to that frame (see Domains); angles "
             "are against the largest. A contact is gone when the frame lets it go, or exceeds it "
-            "by more than 0.1 Å."
+            "by more than 0.1 Å; residues come together from beyond 10 to within 8 Å (CA)."
         ),
         "Known pairs": (
             "How far apart two known structures of a protein are, for the 16 of 58 starts whose "

@@ -41,7 +41,8 @@ def shape_pictures(analysis: Analysis) -> Figure:
     for k, (shape, pair) in enumerate(zip(part.shapes, pairs, strict=True)):
         place = size * (k % columns, -(k // columns))
         _draw(axes, pair + np.append(place, 0.0), shape)
-        name = f"{k + 1}: {shape.rmsd:.1f} Å, frame {shape.frame}"
+        far = f"{shape.rmsd:.1f} Å{' (far)' if part.is_beyond(shape) else ''}"
+        name = f"{k + 1}: {far}, frame {shape.frame}"
         at = place + size * (-0.5, 0.5)
         axes.text(*at, name, fontsize=8.5, weight="bold", color=style.INK, va="top")
     axes.set_aspect("equal", adjustable="datalim")

@@ -121,8 +121,10 @@ def _other_shapes(analysis: Analysis) -> str:
     if not part.shapes:
         return "none found: the frames far from the start are all unlike each other"
     first = part.shapes[0]
-    furthest = f"the furthest {first.rmsd:.1f} Å away: rotated {turns_text(analysis, first)}"
-    return f"{len(part.shapes)}, {furthest}"
+    far = f"the most plausible {first.rmsd:.1f} Å away"
+    if part.is_beyond(first):
+        far += ", further than most known pairs are apart"
+    return f"{len(part.shapes)}, {far}: rotated {turns_text(analysis, first)}"
 
 
 def _path(path: MolecularPath, end: str) -> str:

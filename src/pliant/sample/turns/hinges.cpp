@@ -7,7 +7,6 @@
 
 #include "pliant/base/math/best_fit.hpp"
 #include "pliant/base/math/cell_list.hpp"
-#include "pliant/base/math/elementary.hpp"
 #include "pliant/sample/turns/screw.hpp"
 
 namespace pliant {
@@ -77,21 +76,6 @@ void find_axes(std::array<double, 9> turns, Hinge& hinge) {
   }
 }
 
-/// Of twelve proteins known in two forms, the more open one had 0.3 to 1.7 contacts for a node of
-/// the surface of the smaller side (its nodes to the power of 2/3), the other 1.6 to 3.6 in nine.
-double closed_share(const NetworkNodes& nodes, std::span<const std::uint32_t> sides,
-                    double smaller) {
-  constexpr double half_closed = 1.6;
-  double contacts = 0.0;
-  for_each_near(contact_distance, nodes, nodes.positions, [&](std::uint32_t i, std::uint32_t j) {
-    contacts += sides[i] != sides[j] ? 1.0 : 0.0;
-  });
-  const double surface = exact_bits_exp(2.0 / 3.0 * exact_bits_log(smaller));
-  const double ratio = contacts / (half_closed * surface);
-  const double fourth = ratio * ratio * ratio * ratio;
-  return fourth / (1.0 + fourth);
-}
-
 void find_links(const NetworkNodes& nodes, const PieceTree& tree,
                 std::span<const std::uint32_t> sides, Hinge& hinge) {
   for (const auto [before, after] : tree.links)
@@ -110,7 +94,6 @@ Hinge hinge_of(const NetworkNodes& nodes, const PieceTree& tree, const NetworkMo
   Hinge hinge;
   hinge.piece = piece;
   hinge.weight = smaller * smaller / double(sides.size() * sides.size());
-  hinge.closed = closed_share(nodes, sides, smaller);
   find_links(nodes, tree, sides, hinge);
   find_axes(turns_in_modes(nodes, modes, sides), hinge);
   return hinge;

@@ -23,9 +23,6 @@ struct Hinge {
   /// Main axes of the turn in the modes, and their shares of its variance.
   std::array<Vec3, 3> axes;
   std::array<double, 3> softness{};
-  /// 0 to 1: how far the sides touch each other already, by their contacts for the surface of the
-  /// smaller one.
-  double closed = 0.0;
 };
 
 /// The hinges of all pieces of a tree but the root, in the order of the pieces.
@@ -35,7 +32,5 @@ std::vector<Hinge> hinges_of(const NetworkNodes& nodes, const PieceTree& tree,
 /// Pairs of nodes within `length` (Angstrom, times the scale of the nodes) that are no neighbours
 /// along a chain; `moved` (M) are the nodes' places.
 std::size_t pairs_within(double length, const NetworkNodes& nodes, std::span<const Vec3> moved);
-
-inline constexpr double contact_distance = 8.0;  ///< Angstrom, between alpha carbons
 
 }  // namespace pliant

@@ -9,7 +9,7 @@
 namespace pliant {
 namespace {
 
-constexpr std::int64_t spread_over = 4;                // nodes on each side of a link
+constexpr std::int64_t spread_over = 6;                // nodes on each side of a link
 constexpr double half_turn = std::numbers::pi - 1e-9;  // radians
 
 }  // namespace

@@ -27,7 +27,7 @@ class TurnCourse {
   TurnCourse(const NetworkNodes& nodes, const PieceTree& tree) : nodes_(nodes), tree_(tree) {}
 
   /// The rigid motion of each node (M) when each turn has gone so far, from 0 to 1. The turn
-  /// between two pieces is spread over the four nodes on each side of their links.
+  /// between two pieces is spread over the six nodes on each side of their links.
   std::span<const RigidMotion> motions(std::span<const PieceTurn> turns, double share);
 
  private:

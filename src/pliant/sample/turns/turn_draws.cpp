@@ -4,39 +4,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
+#include "pliant/base/math/elementary.hpp"
 #include "pliant/base/math/normal.hpp"
 #include "pliant/sample/turns/screw.hpp"
 
 namespace pliant {
 namespace {
 
-// A domain that is open closes about a soft axis until both sides touch; one that is closed opens,
-// most often about an axis that its contacts make stiff. Shares were chosen on 12 proteins
-// (../README.md).
-constexpr TurnWay closing[] = {
-    {.share = 0.5, .power = 2.0, .best_of = 4, .contacts = 1.0},
-    {.share = 0.3, .power = 4.0, .best_of = 4, .contacts = 1.0},
-    {.share = 0.2, .power = 0.0, .best_of = 1, .contacts = 0.0},
+// Axes by their softness in the modes to a power; 0: at random, or near the line through the links.
+struct Axes {
+  double share, power;
 };
-constexpr TurnWay opening[] = {
-    {.share = 0.35, .power = 0.0, .best_of = 1, .contacts = 0.0},
-    {.share = 0.25, .power = 2.0, .best_of = 1, .contacts = 0.0},
-    {.share = 0.25, .power = -1.0, .best_of = 4, .contacts = 1.0},
-    {.share = 0.15, .power = -1.0, .best_of = 1, .contacts = 0.0},
-};
-/// Hinges that look open open further, and closed ones close further, in so many draws.
-constexpr double contrary = 0.15;
+constexpr Axes axes[] = {{0.4, 0.0}, {0.5, 2.0}, {0.1, -1.0}};
 
 // How many pieces turn; 0: all, as a draw of the modes turns them.
 struct Pieces {
   double share;
   std::size_t count;
 };
-constexpr Pieces frames[] = {{0.6, 1}, {0.3, 2}, {0.1, 0}};
+constexpr Pieces frames[] = {{0.25, 1}, {0.65, 2}, {0.1, 0}};
 
 // Angstrom, between alpha carbons
 constexpr double pivot_noise = 1.5;
@@ -44,8 +33,8 @@ constexpr double pivot_noise = 1.5;
 constexpr double largest_angle = 150.0 / 180.0 * std::numbers::pi;
 constexpr double share_along_line = 0.5;  // of turns about the line through the links
 constexpr double line_noise = 0.25;
-constexpr int most_draws = 24, most_hinges = 5;  // in vain
-constexpr int most_halvings = 6;                 // of angles
+constexpr int candidates = 96;    // of which one is taken
+constexpr int most_halvings = 6;  // of angles, after candidates that are all impossible
 
 Vec3 unit(Vec3 x) {
   const double length = norm(x);
@@ -63,12 +52,18 @@ std::size_t choose(std::size_t count, const Weight& weight, RandomSequence& draw
   return at;
 }
 
-/// Softness to the power of `power`, of 2, 4 or -1, by roots alone: their bits are the same
-/// everywhere.
+/// One row of a table, by the rows' shares.
+template <class Row, std::size_t rows>
+const Row& one_of(const Row (&table)[rows], RandomSequence& draws) {
+  return table[choose(
+      rows, [&](std::size_t k) { return table[k].share; }, draws)];
+}
+
+/// The root of softness to the power of `power`, of 2 or -1.
 double weight_of(double softness, double power) {
   constexpr double least = 0.01;
   const double x = std::max(softness, least);
-  return power < 0.0 ? 1.0 / std::sqrt(x) : (power > 2.0 ? x * x : x);
+  return power < 0.0 ? 1.0 / std::sqrt(x) : x;
 }
 
 Vec3 random_axis(const Hinge& hinge, RandomSequence& draws) {
@@ -79,37 +74,40 @@ Vec3 random_axis(const Hinge& hinge, RandomSequence& draws) {
 }
 
 /// Normal numbers along the main axes, whose variances are powers of their softness.
-Vec3 axis_of(const TurnWay& way, const Hinge& hinge, RandomSequence& draws) {
-  if (way.power == 0.0) return random_axis(hinge, draws);
+Vec3 axis_of(const Hinge& hinge, RandomSequence& draws) {
+  const double power = one_of(axes, draws).power;
+  if (power == 0.0) return random_axis(hinge, draws);
   const Vec3 x = normal_vector(draws);
   const std::array<double, 3> along{x.x, x.y, x.z};
   Vec3 axis;
   for (std::size_t k = 0; k < 3; ++k)
-    axis += weight_of(hinge.softness[k], way.power) * along[k] * hinge.axes[k];
+    axis += weight_of(hinge.softness[k], power) * along[k] * hinge.axes[k];
   return unit(axis);
 }
 
-PieceTurn turn_of(const TurnWay& way, const Hinge& hinge, double scale, RandomSequence& draws) {
+PieceTurn turn_of(const Hinge& hinge, double scale, RandomSequence& draws) {
   PieceTurn turn{.piece = hinge.piece,
-                 .axis = axis_of(way, hinge, draws),
+                 .axis = axis_of(hinge, draws),
                  .pivot = hinge.centre,
                  .angle = scale * largest_angle * draws.uniform()};
   turn.pivot += pivot_noise * normal_vector(draws);
   return turn;
 }
 
-const TurnWay& way_of(const Hinge& hinge, RandomSequence& draws) {
-  const double opens = contrary + (1.0 - 2.0 * contrary) * hinge.closed;
-  const std::span<const TurnWay> ways =
-      draws.uniform() < opens ? std::span<const TurnWay>(opening) : closing;
-  return ways[choose(
-      ways.size(), [&](std::size_t k) { return ways[k].share; }, draws)];
+/// A number of Gumbel's distribution: of candidates with such a number on top of the logarithms of
+/// their weights, the highest is as frequent as its weight says.
+double gumbel(RandomSequence& draws) {
+  constexpr double least = 1e-300;
+  return -exact_bits_log(-exact_bits_log(std::max(draws.uniform(), least)));
 }
 
 }  // namespace
 
 TurnDraws::TurnDraws(const NetworkNodes& nodes, NetworkModes modes)
-    : nodes_(nodes), modes_(std::move(modes)), limits_(nodes) {
+    : nodes_(nodes),
+      modes_(std::move(modes)),
+      limits_(nodes),
+      plausible_(nodes.positions, nodes.scale) {
   for (PieceTree& tree : find_pieces(nodes, modes_)) {
     std::vector<Hinge> hinges = hinges_of(nodes, tree, modes_);
     trees_.push_back({std::make_shared<PieceTree>(std::move(tree)), std::move(hinges)});
@@ -118,17 +116,24 @@ TurnDraws::TurnDraws(const NetworkNodes& nodes, NetworkModes modes)
 
 DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
   if (empty()) return {};
-  const std::size_t pieces =
-      frames[choose(
-                 std::size(frames), [](std::size_t k) { return frames[k].share; }, draws)]
-          .count;
   double scale = 1.0;  // turns that are small enough are always possible
   for (int k = 0; k < most_halvings; ++k, scale *= 0.5) {
-    DrawnTurns drawn =
-        pieces == 0 ? draw_along_modes(scale, draws) : draw_turns(pieces, scale, draws);
-    if (drawn.tree != nullptr) return drawn;
+    std::vector<Candidate> drawn;
+    for (int c = 0; c < candidates; ++c) drawn.push_back(draw_candidate(scale, draws));
+    std::stable_sort(drawn.begin(), drawn.end(), [](const Candidate& one, const Candidate& other) {
+      return one.rank > other.rank;
+    });
+    for (Candidate& one : drawn)
+      if (!one.turns.turns.empty() && limits_.allow(moved(one.turns))) return std::move(one.turns);
   }
   return {};
+}
+
+TurnDraws::Candidate TurnDraws::draw_candidate(double scale, RandomSequence& draws) const {
+  const std::size_t pieces = one_of(frames, draws).count;
+  Candidate one{pieces == 0 ? turns_in_modes(scale, draws) : draw_turns(pieces, scale, draws)};
+  one.rank = plausible_.score(moved(one.turns)) + gumbel(draws);
+  return one;
 }
 
 /// A tree with so many pieces that turn, where there is one, by the weights of its hinges.
@@ -142,55 +147,20 @@ const TurnDraws::Tree& TurnDraws::choose_tree(std::size_t pieces, RandomSequence
   return trees_[choose(trees_.size(), weight, draws)];
 }
 
-/// One piece after the other; the second only where it can turn.
+/// The second piece turns less.
 DrawnTurns TurnDraws::draw_turns(std::size_t pieces, double scale, RandomSequence& draws) const {
-  for (int k = 0; k < most_hinges; ++k) {
-    const Tree& tree = choose_tree(pieces, draws);
-    DrawnTurns drawn{tree.pieces, {}};
-    std::vector<double> weights;
-    for (const Hinge& hinge : tree.hinges) weights.push_back(hinge.weight);
-    for (std::size_t turn = 0; turn < std::min(pieces, tree.hinges.size()); ++turn) {
-      const std::size_t at = choose(
-          weights.size(), [&](std::size_t h) { return weights[h]; }, draws);
-      weights[at] = 0.0;
-      if (!add_turn(tree.hinges[at], scale, draws, drawn) && turn == 0) break;
-    }
-    if (!drawn.turns.empty()) return drawn;
+  const Tree& tree = choose_tree(pieces, draws);
+  DrawnTurns drawn{tree.pieces, {}};
+  std::vector<double> weights;
+  for (const Hinge& hinge : tree.hinges) weights.push_back(hinge.weight);
+  for (std::size_t turn = 0; turn < std::min(pieces, tree.hinges.size()); ++turn) {
+    const std::size_t at = choose(
+        weights.size(), [&](std::size_t h) { return weights[h]; }, draws);
+    weights[at] = 0.0;
+    const double share = turn == 0 ? 1.0 : draws.uniform();
+    drawn.turns.push_back(turn_of(tree.hinges[at], scale * share, draws));
   }
-  return {};
-}
-
-/// Adds the best of several turns that are possible. False if none is.
-bool TurnDraws::add_turn(const Hinge& hinge, double scale, RandomSequence& draws,
-                         DrawnTurns& drawn) const {
-  const TurnWay& way = way_of(hinge, draws);
-  PieceTurn best;
-  double most = -std::numeric_limits<double>::infinity();
-  for (int k = 0, found = 0; k < most_draws && found < way.best_of; ++k) {
-    drawn.turns.push_back(turn_of(way, hinge, scale, draws));
-    if (drawn.turns.size() > 1) drawn.turns.back().angle *= draws.uniform();
-    const std::vector<Vec3> at = moved(drawn);
-    const PieceTurn turn = drawn.turns.back();
-    drawn.turns.pop_back();
-    if (!limits_.allow(at)) continue;
-    ++found;
-    const double score =
-        way.best_of > 1 ? way.contacts * double(pairs_within(contact_distance, nodes_, at)) : 0.0;
-    if (!(score > most)) continue;
-    most = score;
-    best = turn;
-  }
-  if (!std::isfinite(most)) return false;
-  drawn.turns.push_back(best);
-  return true;
-}
-
-DrawnTurns TurnDraws::draw_along_modes(double scale, RandomSequence& draws) const {
-  for (int k = 0; k < most_draws; ++k) {
-    DrawnTurns drawn = turns_in_modes(scale, draws);
-    if (!drawn.turns.empty() && limits_.allow(moved(drawn))) return drawn;
-  }
-  return {};
+  return drawn;
 }
 
 /// All pieces turn against each other as they do in a draw of the modes, the most of them by an

@@ -12,6 +12,7 @@
 #include "pliant/sample/network/network_modes.hpp"
 #include "pliant/sample/turns/hinges.hpp"
 #include "pliant/sample/turns/pieces.hpp"
+#include "pliant/sample/turns/plausible_shapes.hpp"
 #include "pliant/sample/turns/turn_course.hpp"
 #include "pliant/sample/turns/turn_limits.hpp"
 
@@ -23,14 +24,6 @@ struct DrawnTurns {
   std::vector<PieceTurn> turns;
 };
 
-/// One of the ways in which the turn of a piece is drawn.
-struct TurnWay {
-  double share;     ///< of all ways of hinges that are open, or closed
-  double power;     ///< axes are as frequent as they are soft, to this power; 0: at random
-  int best_of;      ///< of so many that are possible
-  double contacts;  ///< +1: the one with the most, -1: with the fewest contacts between nodes
-};
-
 class TurnDraws {
  public:
   /// `nodes` must outlive it.
@@ -39,8 +32,9 @@ class TurnDraws {
   /// Whether no piece can turn against the rest.
   bool empty() const { return trees_.empty(); }
 
-  /// Draws until links can be closed and few nodes come too near to each other, by smaller angles
-  /// after draws in vain. Several threads may call it at once.
+  /// Draws many candidates, and takes one by how plausible they are, of those whose links can be
+  /// closed and whose nodes seldom come too near to each other; with smaller angles where there is
+  /// none. Several threads may call it at once.
   DrawnTurns draw(RandomSequence& draws) const;
 
  private:
@@ -49,10 +43,14 @@ class TurnDraws {
     std::vector<Hinge> hinges;
   };
 
+  struct Candidate {
+    DrawnTurns turns;
+    double rank = 0.0;
+  };
+
+  Candidate draw_candidate(double scale, RandomSequence& draws) const;
   const Tree& choose_tree(std::size_t pieces, RandomSequence& draws) const;
   DrawnTurns draw_turns(std::size_t pieces, double scale, RandomSequence& draws) const;
-  bool add_turn(const Hinge& hinge, double scale, RandomSequence& draws, DrawnTurns& drawn) const;
-  DrawnTurns draw_along_modes(double scale, RandomSequence& draws) const;
   DrawnTurns turns_in_modes(double scale, RandomSequence& draws) const;
   std::vector<Vec3> moved(const DrawnTurns& drawn) const;
 
@@ -60,6 +58,7 @@ class TurnDraws {
   NetworkModes modes_;
   std::vector<Tree> trees_;
   TurnLimits limits_;
+  PlausibleShapes plausible_;
 };
 
 }  // namespace pliant
