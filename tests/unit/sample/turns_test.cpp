@@ -92,7 +92,8 @@ TEST_F(TurnCourseTest, BeginsAtTheStart) {
 TEST_F(TurnCourseTest, APieceTurnsAsAWholeAndTheRestStays) {
   for (const double share : {0.3, 1.0}) {
     const double angle = share * turn.angle;
-    for (std::size_t k = 0; k < cut - spread; ++k) EXPECT_EQ(moved(k, share), nodes.positions[k]) << k;
+    for (std::size_t k = 0; k < cut - spread; ++k)
+      EXPECT_EQ(moved(k, share), nodes.positions[k]) << k;
     for (std::size_t k = cut + spread; k < nodes.positions.size(); ++k) {
       const Vec3 r = nodes.positions[k] - turn.pivot;
       const Vec3 expected{std::cos(angle) * r.x - std::sin(angle) * r.y,
