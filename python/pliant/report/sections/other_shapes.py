@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pliant.base.console import Table, counted
+from pliant.base.console import Table
 from pliant.base.verdict import Verdict
 from pliant.measure.shapes.other_shapes import REMARK_OF_SHAPES, OtherShapes, Shape, other_shapes
 from pliant.measure.stages.analysis import Analysis
@@ -70,7 +70,7 @@ def _speaks_for(part: OtherShapes, shape: Shape) -> str:
         closes = shape.wider < 0
         texts.append(f"{'closes, as open' if closes else 'opens, as compact'} proteins do")
     if shape.made:
-        texts.append(f"{counted(shape.made, 'pair')} of residues come together")
+        texts.append(f"pairs of residues that come together: {shape.made}")
     return "; ".join(texts) or "–"
 
 
@@ -312,7 +312,7 @@ OTHER_SHAPES = Measured(
             "pairs of structures have in common: they are as far apart as others of that softness, "
             "open ones close and compact ones open. Of the 24 directions on which this was chosen, "
             "the first shape is nearer to the other known structure than the start is in 71 %, one "
-            "of the first three in 92 %. The spread is the mean RMSD of the frames nearest to a "
+            "of the first three in 90 %. The spread is the mean RMSD of the frames nearest to a "
             "shape from it; frames 8 Å from all shapes, or alone in one, are not listed. What "
             "rotated are pieces that are rigid from the start to that frame (see Domains); angles "
             "are against the largest. A contact is gone when the frame lets it go, or exceeds it "
