@@ -34,6 +34,7 @@ void bind_plausible_shapes(nb::module_& module) {
           },
           "start"_a, "scale"_a = 1.0,
           nb::sig("def __init__(self, start: numpy.typing.ArrayLike, scale: float = 1.0) -> None"))
+      .def_prop_ro("softness", &PlausibleShapes::softness, "As ``softness`` of the start.")
       .def_prop_ro("expected", &PlausibleShapes::expected,
                    "RMSD of the other structure that is expected of so soft a protein (Angstrom).")
       .def_prop_ro("openness", &PlausibleShapes::openness, "From -1, compact, to 1, open.")

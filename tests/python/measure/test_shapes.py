@@ -65,9 +65,13 @@ def made_frames():
     return start, frames, np.arange(len(degrees)) < NEAR, np.array(degrees)
 
 
+def shapes_of(frames, start, near):
+    return find_shapes(FrameStore.of(frames), start, near, PlausibleShapes(start))
+
+
 def test_shapes_are_the_groups_that_were_made():
     start, frames, near, degrees = made_frames()
-    found = find_shapes(FrameStore.of(frames), start, near)
+    found = shapes_of(frames, start, near)
     assert found.limit == LEAST_RMSD
     assert [sorted(set(degrees[own])) for own in found.members] == [[150.0], [90.0], [45.0]]
     assert [len(own) for own in found.members] == [2, 4, 5]
@@ -82,17 +86,17 @@ def test_shapes_are_the_groups_that_were_made():
 def test_a_wider_cloud_around_the_start_hides_what_lies_within_it():
     start, frames, near, degrees = made_frames()
     near = near | (degrees == 90.0)
-    found = find_shapes(FrameStore.of(frames), start, near)
+    found = shapes_of(frames, start, near)
     assert found.limit == found.rmsd[near].max()
     assert {*degrees[np.concatenate(found.members)]} <= {150.0, -100.0}
-    alone = find_shapes(FrameStore.of(frames[near]), start, np.ones(near.sum(), dtype=bool))
+    alone = shapes_of(frames[near], start, np.ones(near.sum(), dtype=bool))
     assert len(alone.members) == len(alone.alone) == 0
 
 
 def test_of_many_shapes_the_most_are_shown_and_the_others_said():
     coils = np.random.default_rng(2).normal(0.0, 3.0, (14, SITES, 3)).cumsum(axis=1)
     start, frames = two_domains(), np.repeat(coils, 2, axis=0)
-    found = find_shapes(FrameStore.of(frames), start, np.zeros(len(frames), dtype=bool))
+    found = shapes_of(frames, start, np.zeros(len(frames), dtype=bool))
     assert 2 <= len(found.members) <= MOST_SHAPES
     assert sum(map(len, found.members)) + len(found.alone) == len(found.compared)
     assert all(distance.max() < REACH for distance in found.distances)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.spatial.distance import pdist
 
-from pliant._core import PlausibleShapes, softness
+from pliant._core import PlausibleShapes
 from pliant.measure.domains.rigid_turns import RigidTurns, rigid_turns
 from pliant.measure.pockets.opened_pockets import PocketChange, PocketFinder
 from pliant.measure.shapes.known_pairs import quartiles_of_like
@@ -74,22 +74,38 @@ class OtherShapes(Part):
         return 0 if self.groups is None else len(self.groups.alone)
 
 
-def shape_groups(analysis: Analysis) -> tuple[np.ndarray, ShapeGroups] | None:
-    """Indices of the atoms compared (CA, P), and the shapes of their frames.
+@dataclass(frozen=True)
+class Compared:
+    """The sites by which shapes are compared, and how plausible they are."""
+
+    sites: np.ndarray  #: (s,) indices of the atoms (CA, P)
+    start: np.ndarray  #: (s, 3) Angstrom
+    plausible: PlausibleShapes
+
+    @classmethod
+    def of(cls, analysis: Analysis, reference: ReferenceStructure) -> Compared:
+        """At most MOST_SITES: what is plausible takes the cube of their number."""
+        trace = trace_of(analysis.atoms).ix
+        stride = max(1, -(-len(trace) // MOST_SITES))
+        sites = trace[::stride]
+        start = reference.positions[sites]
+        return cls(sites, start, PlausibleShapes(start, stride ** (1 / 3)))
+
+
+def shape_groups(analysis: Analysis) -> tuple[Compared, ShapeGroups] | None:
+    """What is compared, and the shapes of the frames.
 
     None where frames are no ensemble of residues, or all were drawn around the start.
     """
-    if not _has_shapes(analysis) or analysis.reaches is None:
+    if not has_shapes(analysis) or analysis.reaches is None:
         return None
-    trace = trace_of(analysis.atoms).ix
-    stride = -(-len(trace) // MOST_SITES)
-    trace = trace[::stride]
-    start = analysis[ReferenceStructure].positions[trace]
-    frames, near = analysis.stored_positions(trace), ~analysis.reaches
-    return trace, find_shapes(frames, start, near, stride ** (1 / 3))
+    by = Compared.of(analysis, analysis[ReferenceStructure])
+    frames, near = analysis.stored_positions(by.sites), ~analysis.reaches
+    return by, find_shapes(frames, by.start, near, by.plausible)
 
 
-def _has_shapes(analysis: Analysis) -> bool:
+def has_shapes(analysis: Analysis) -> bool:
+    """Whether it is an ensemble of enough residues, drawn by more than one way."""
     drawn = analysis.observable("sampler")
     if analysis.kind != ENSEMBLE or drawn is None or not drawn.any():
         return False
@@ -98,23 +114,23 @@ def _has_shapes(analysis: Analysis) -> bool:
 
 def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
     """Shapes, their turns, contacts and pockets; that there are none to look for, if so."""
-    if not _has_shapes(analysis):
+    if not has_shapes(analysis):
         return
     found = shape_groups(analysis)
     none = np.zeros(0, dtype=np.int64)
     if found is None:
         yield OtherShapes(False, none, len(analysis.frames), None, none, (), None, 0.0)
         return
-    trace, groups = found
+    by, groups = found
+    trace, start = by.sites, by.start
     places = groups.representatives
     pockets = PocketFinder(analysis, trace)
     if len(places) and not pockets.why_not:
         near = np.flatnonzero(groups.rmsd <= groups.limit)
         pockets.look_at(near[np.linspace(0, len(near) - 1, NEAR_LOOKED_AT).astype(int)])
     chains = chains_of(analysis.universe.atoms[trace])
-    start = analysis[ReferenceStructure].positions[trace]
     one_chain = len(set(chains)) == 1 and len(trace) == len(trace_of(analysis.atoms))
-    known = quartiles_of_like(softness(start)) if one_chain else None
+    known = quartiles_of_like(by.plausible.softness) if one_chain else None
     shapes = []
     opened = pockets.larger_than_at_start(places)
     for k, place in enumerate(places):
@@ -139,7 +155,7 @@ def other_shapes(analysis: Analysis) -> Iterator[OtherShapes]:
         notes.append(f"shapes are of {len(groups.compared)} frames taken evenly")
     if shapes and pockets.why_not:
         notes.append(f"no pockets of shapes: {pockets.why_not}")
-    openness = PlausibleShapes(start).openness if one_chain else 0.0
+    openness = by.plausible.openness if one_chain else 0.0
     yield OtherShapes(
         True, trace, near_count, groups, places, tuple(shapes), known, openness, notes=tuple(notes)
     )

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant._core import OptionError, PlausibleShapes
+from pliant._core import OptionError
 from pliant.base.display import Displayed, Facts
 from pliant.measure.shapes.medoids import k_medoids, owned_by
-from pliant.measure.shapes.other_shapes import shape_groups
+from pliant.measure.shapes.other_shapes import Compared, has_shapes, shape_groups
 from pliant.measure.shapes.shapes import stand_for_others
 from pliant.measure.stages.reference import reference_of
 from pliant.trajectory.kind import ENSEMBLE
@@ -69,7 +69,7 @@ def medoids(analysis: Analysis, count: int) -> tuple[Representatives, np.ndarray
     beyond = np.zeros(len(compared), dtype=bool)
     if analysis.reaches is not None:
         beyond = analysis.reaches[::stride]
-    others = _of_others(analysis, compared, distances, beyond, count)
+    others = _of_others(analysis, distances, beyond, stride, count)
     around = _medoids_among(distances, np.flatnonzero(~beyond), count - len(others))
     found = owned_by(distances, np.concatenate([around, others]))
     representatives = Representatives(
@@ -86,15 +86,20 @@ def medoids(analysis: Analysis, count: int) -> tuple[Representatives, np.ndarray
 
 
 def _of_others(
-    analysis: Analysis, compared: np.ndarray, distances: np.ndarray, beyond: np.ndarray, count: int
+    analysis: Analysis, distances: np.ndarray, beyond: np.ndarray, stride: int, count: int
 ) -> np.ndarray:
-    """Half of the frames asked for, of those drawn to reach further: as shapes are chosen."""
+    """Half of the frames asked for, of those drawn to reach further: as shapes are chosen. Every
+    `stride`th frame is compared."""
     others = np.flatnonzero(beyond)
     wanted = min(len(others), max(count // 2, count - np.count_nonzero(~beyond)))
     if not wanted:
         return others[:0]
-    start = reference_of(analysis).positions[analysis.fitted.ix]
-    scores = PlausibleShapes(start).scores(compared[others].astype(np.float64))
+    scores = np.zeros(len(others))
+    if has_shapes(analysis):
+        by = Compared.of(analysis, reference_of(analysis))
+        chosen = np.isin(np.arange(len(analysis.frames)), others * stride)
+        frames = analysis.stored_positions(by.sites, chosen).take(np.arange(len(others)))
+        scores = by.plausible.scores(frames.astype(np.float64))
     among = distances[np.ix_(others, others)]
     return np.asarray(others[stand_for_others(among, scores, wanted, apart=0.0)])
 

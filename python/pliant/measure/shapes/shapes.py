@@ -37,14 +37,13 @@ class ShapeGroups:
 
 
 def find_shapes(
-    frames: FrameStore, start: np.ndarray, near: np.ndarray, scale: float = 1.0
+    frames: FrameStore, start: np.ndarray, near: np.ndarray, plausible: PlausibleShapes
 ) -> ShapeGroups:
     """Frames that stand for those further from the start than all around it.
 
     frames: (F, n, 3); start: (n, 3); near: (F,) bool, drawn around the start: another shape is
     further from it than these all are, and than LEAST_RMSD. RMSDs are of pairs superposed. See
-    `stand_for_others`; a frame is of the shape that it is nearest to. `scale`: how far apart the
-    sites are, 1 for all alpha carbons.
+    `stand_for_others`; a frame is of the shape that it is nearest to. `plausible` is of the start.
     """
     rmsd = np.concatenate([rmsd_to(block, start[None])[:, 0] for block in frames.blocks()])
     limit = LEAST_RMSD
@@ -58,7 +57,7 @@ def find_shapes(
         return ShapeGroups(rmsd, limit, compared, none, (), (), compared)
     chosen = frames.take(compared).astype(np.float64)
     distances = pairwise_rmsd(chosen)
-    scores = PlausibleShapes(start, scale).scores(chosen)
+    scores = plausible.scores(chosen)
     centres = stand_for_others(distances, scores, MOST_SHAPES)
     nearest = np.argmin(distances[centres], axis=0)
     reached = distances[centres].min(axis=0) < REACH

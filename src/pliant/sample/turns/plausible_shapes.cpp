@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/base/math/best_fit.hpp"
 #include "pliant/base/math/elementary.hpp"
+#include "pliant/base/math/superposition.hpp"
 #include "pliant/sample/network/softness.hpp"
 
 namespace pliant {
@@ -20,19 +20,20 @@ constexpr double half_open = 2.97, open_width = 0.15;
 
 constexpr double of_distance = 1.6, of_gyration = 20.0;
 
-/// About their centre.
-std::vector<Vec3> centred(std::span<const Vec3> points) {
+double gyration_of(std::span<const Vec3> points) {
   Vec3 centre;
   for (const Vec3 point : points) centre += (1.0 / double(points.size())) * point;
-  std::vector<Vec3> out;
-  for (const Vec3 point : points) out.push_back(point - centre);
-  return out;
+  double sum = 0.0;
+  for (const Vec3 point : points) sum += norm_squared(point - centre);
+  return std::sqrt(sum / double(points.size()));
 }
 
-double root_mean_square(std::span<const Vec3> points) {
+/// R.m.s., once one is superposed on the other.
+double distance_of(std::span<const Vec3> one, std::span<const Vec3> other) {
+  const RigidMotion motion = superposition(one, other);
   double sum = 0.0;
-  for (const Vec3 point : points) sum += norm_squared(point);
-  return std::sqrt(sum / double(points.size()));
+  for (std::size_t i = 0; i < one.size(); ++i) sum += norm_squared(motion(one[i]) - other[i]);
+  return std::sqrt(sum / double(one.size()));
 }
 
 double expected_of(double softness) {
@@ -46,31 +47,20 @@ double openness_of(double gyration, double nodes) {
   return std::isfinite(e) ? (e - 1.0) / (e + 1.0) : 1.0;  // the hyperbolic tangent
 }
 
-/// Of points about their centres, once one is turned onto the other.
-double distance_of(std::span<const Vec3> one, std::span<const Vec3> other) {
-  RotationFit fit;
-  for (std::size_t i = 0; i < one.size(); ++i) fit.add(one[i], other[i], 1.0);
-  Rotation rotation;
-  fit.solve(false, rotation);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < one.size(); ++i) sum += norm_squared(rotation(one[i]) - other[i]);
-  return std::sqrt(sum / double(one.size()));
-}
-
 }  // namespace
 
 PlausibleShapes::PlausibleShapes(std::span<const Vec3> start, double scale)
-    : start_(centred(start)),
-      expected_(expected_of(softness(start, scale))),
-      gyration_(root_mean_square(start_)),
+    : start_(start.begin(), start.end()),
+      softness_(pliant::softness(start, scale)),
+      expected_(expected_of(softness_)),
+      gyration_(gyration_of(start)),
       openness_(openness_of(gyration_, double(start.size()) * scale * scale * scale)) {}
 
 double PlausibleShapes::score(std::span<const Vec3> shape) const {
   constexpr double least = 0.01;  // Angstrom
-  const std::vector<Vec3> at = centred(shape);
-  const double apart = std::max(distance_of(start_, at), least);
+  const double apart = std::max(distance_of(start_, shape), least);
   const double off = exact_bits_log(apart / expected_);
-  const double wider = root_mean_square(at) / gyration_ - 1.0;
+  const double wider = gyration_of(shape) / gyration_ - 1.0;
   return -of_distance * off * off - of_gyration * wider * openness_;
 }
 

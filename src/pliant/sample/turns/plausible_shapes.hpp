@@ -17,6 +17,7 @@ class PlausibleShapes {
   /// `scale` is that of NetworkNodes.
   explicit PlausibleShapes(std::span<const Vec3> start, double scale = 1.0);
 
+  double softness() const { return softness_; }  ///< as softness() of network/softness.hpp
   /// Distance (RMSD of nodes, Angstrom) of the other structure that is expected of so soft a
   /// molecule.
   double expected() const { return expected_; }
@@ -26,8 +27,8 @@ class PlausibleShapes {
   double score(std::span<const Vec3> shape) const;
 
  private:
-  std::vector<Vec3> start_;  ///< about its centre
-  double expected_, gyration_, openness_;
+  std::vector<Vec3> start_;
+  double softness_, expected_, gyration_, openness_;
 };
 
 }  // namespace pliant
