@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -167,3 +168,11 @@ def statistical_inefficiency(series: np.ndarray) -> float:
     ends = np.flatnonzero(correlation <= 0)
     stop = int(ends[0]) if len(ends) else count
     return max(1.0, 1.0 + 2.0 * float(correlation[1:stop].sum()))
+
+
+def precision(rmsf: np.ndarray, error: np.ndarray) -> str:
+    """ "precision 2 %": two standard errors as a share of a mean RMSF, whose size may be an input;
+    "no error" where it is not known."""
+    mean, apart = float(rmsf.mean()), 2 * float(error.mean())
+    known = mean > 0 and math.isfinite(apart)
+    return f"precision {math.ceil(100 * apart / mean)} %" if known else "no error"

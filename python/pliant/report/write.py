@@ -18,7 +18,6 @@ from pliant.report.page.html import table
 from pliant.report.page.page import Page, lead, links, methods, sections_of
 from pliant.report.page.scene import scene
 from pliant.report.save import Saved, drawing_of, save_beside
-from pliant.report.sections.bars import Residuals
 from pliant.report.sections.exports import ensemble_files
 from pliant.report.sections.headings import HEADINGS, WIDE
 from pliant.report.sections.table import SECTIONS
@@ -70,7 +69,7 @@ def _page(
         title=_title(analysis),
         subtitle=_subtitle(analysis),
         made_by=more.made_by,
-        lead=lead([*report.verdicts.values()], more.answers),
+        lead=lead([*report.verdicts.values()], more.answers, pictures),
         facts=report.facts(HEADINGS)[:MOST_FACTS],
         sections=sections_of(report, pictures, HEADINGS, WIDE, dpi),
         scene=shown,
@@ -91,8 +90,6 @@ def _title(analysis: Analysis) -> str:
 
 def _subtitle(analysis: Analysis) -> list[str]:
     parts = [f"{len(analysis.universe.atoms):,} atoms"]
-    if Residuals in analysis:
-        parts.append(f"{len(analysis[Residuals].measured.bars):,} bars")
     parts.append(f"{len(analysis.frames):,} frames")
     if analysis.steps is not None and analysis.kind != ENSEMBLE:
         parts.append(f"steps {analysis.steps[0]:,} to {analysis.steps[-1]:,}")

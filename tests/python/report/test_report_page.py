@@ -191,6 +191,18 @@ class TestViewer:
             wide = {"width": 1320, "height": 1000, "deviceScaleFactor": 1, "mobile": False}
             browser.call("Emulation.setDeviceMetricsOverride", wide)
 
+    def test_a_small_picture_is_a_copy_in_its_colours(self, report, opened, tmp_path):
+        small = '<canvas data-colour="mobility" width="136" height="76"></canvas>'
+        path = tmp_path / "small.html"
+        text = report.read_text(encoding="utf-8").replace("<main>", f"<main>{small}")
+        path.write_text(text, encoding="utf-8")
+        browser = opened(path)
+        pixels = (
+            "document.querySelector('[data-colour]').getContext('2d').getImageData(0, 0, 136, 76)"
+        )
+        assert browser.evaluate(f"new Set({pixels}.data).size") > 20
+        assert browser.evaluate(INK)["ink"] > 0.01
+
     def test_without_webgl_it_says_so(self, report, opened, tmp_path):
         text = report.read_text(encoding="utf-8")
         crippled = "<script>HTMLCanvasElement.prototype.getContext = () => null;</script>"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pliant study: one command, one folder, one page, at most nine lines."""
+"""pliant study: one command, one folder, one page, a sentence an answer."""
 
 import json
 import re
@@ -20,6 +20,7 @@ import pliant
 
 MDAnalysis = pytest.importorskip("MDAnalysis")
 additions = pytest.importorskip("pliant.report.study.sections").additions
+scene = pytest.importorskip("pliant.report.page.scene").scene
 report_of = pytest.importorskip("pliant.report.write").report_of
 UnitFlexibility = pytest.importorskip("pliant.report.sections.flexible").UnitFlexibility
 main = pytest.importorskip("pliant.report.study.command").main
@@ -69,22 +70,26 @@ def test_the_answers_are_at_the_head_of_the_page(studied):
     assert page.index("pliant study") < head
     for what, answer in studied.answers.items():
         label = LABELS.get(what, what)
-        assert what in ("verdict", "page", "files") or f"<td>{label}</td>" in page, answer
+        assert what in ("verdict", "page", "files") or f"<h3>{label}</h3>" in page, answer
+    for key in re.findall(r'<canvas data-colour="(\w+)"', page):
+        assert key in scene(studied.report.analysis)["units"]
     assert '<a href="representatives.pdb">' in page
 
 
 def test_what_is_flexible_and_what_was_left_out_is_said(studied):
     said = studied.answers
     assert list(said) == [
-        *("verdict", "molecule", "left out", "flexible", "together", "other shapes"),
-        *("MD starts", "page", "files"),
+        *("verdict", "how far", "flexible", "together", "other shapes", "MD starts"),
+        *("molecule", "left out", "page", "files"),
     ]
-    assert said["left out"] == "1 water"
+    assert said["left out"] == "1 water."
     assert said["molecule"].startswith("20 residues")
     flexibility = studied.report.analysis[UnitFlexibility].found
-    assert said["flexible"].split(",")[0].endswith(f" {flexibility.rmsf.max():.1f}")
+    assert f" RMSF {flexibility.rmsf.max():.1f}," in said["flexible"]
+    assert re.search(r"precision \d+ %; accuracy, how near", said["flexible"])
+    assert said["how far"].startswith("How far it moves is not known. Around the start a residue")
     assert "an input: which parts move more than others is the result" in said["flexible"]
-    assert said["MD starts"] == "not tested: --no-check"
+    assert said["MD starts"] == "Not tested: --no-check."
 
 
 def test_the_verdict_comes_first_and_is_one(studied):
@@ -181,7 +186,7 @@ def test_the_command_prints_a_line_an_answer(studied, tmp_path, capsys, monkeypa
     assert main([str(PEPTIDE), "--frames", "8", "--no-check"]) == 0
     out, err = capsys.readouterr()
     assert err == ""
-    assert len(out.splitlines()) == 9
+    assert len(out.splitlines()) == 11
     assert answers(out)["page"] == "peptide_20-study/report.html"
     assert main([str(PEPTIDE), "--no-check"]) == 1
     assert capsys.readouterr().err == (
@@ -209,7 +214,7 @@ def test_conformers_of_a_small_molecule_are_studied(tmp_path, capsys):
     assert main(words) == 0
     said = answers(capsys.readouterr().out)
     assert "its frames are conformers" in said["molecule"]
-    assert said["moves as one"].endswith("rotatable bonds")
+    assert said["moves as one"].endswith("rotatable bonds.")
     assert said["other shapes"].startswith("30 conformers; 20 stand for all, within ")
     assert "MD starts" not in said and "an input" not in said["flexible"]
 

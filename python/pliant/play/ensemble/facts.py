@@ -135,7 +135,7 @@ def _domains(analysis: Analysis, chosen: np.ndarray) -> dict[str, Any]:
         return {"noDomains": "domains are looked for in chains of 20 residues or more that move"}
     found = analysis[RigidDomains].found
     if found.count < 2:
-        why = "they do not repeat" if found.count == 0 else "all of it moves as one piece"
+        why = "none is reproducible" if found.count == 0 else "all of it moves as one piece"
         return {"noDomains": f"no domains: {why}"}
     of_unit, units = analysis[RigidDomains].of_unit, analysis[Units]
     of_joint = _of_joints(analysis, of_unit)

@@ -5,9 +5,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from pliant.measure.agreement import TEN, Figure
 from pliant.measure.compared.reference import MODELS, STRUCTURE, STRUCTURES, TRAJECTORY
-from pliant.measure.compared.residue_report import MissingMode, ResidueComparison, Stretch
+from pliant.measure.compared.residue_report import MissingMode, Profile, ResidueComparison, Stretch
+from pliant.measure.flexibility import precision
 
 STRONG, FAIR, WEAK = 0.8, 0.6, 0.3  #: r and cumulative overlaps, less their error
 FEW_FRAMES = 40  #: of which halves are too small for a ceiling
@@ -39,9 +42,15 @@ def conclude(found: ResidueComparison) -> None:
 
 
 def figure_text(figure: Figure) -> str:
-    """ "0.93 +- 0.02"."""
+    """ "0.93 +- 0.02": a standard error."""
     error = f" +- {figure.error:.2f}" if math.isfinite(figure.error) else ""
     return f"{figure.value:.2f}{error}" if math.isfinite(figure.value) else "-"
+
+
+def mean_text(one: Profile, core: np.ndarray, unit: str = "") -> str:
+    """ "0.61 A, precision 2 %" of the mean RMSF."""
+    rmsf = one.rmsf[core]
+    return f"{rmsf.mean():.2f}{unit}, {precision(rmsf, one.error[core])}"
 
 
 def _which_parts(found: ResidueComparison) -> str:
@@ -98,10 +107,10 @@ def _chance_share(found: ResidueComparison) -> float:
 
 def _how_far(found: ResidueComparison) -> str:
     assert found.theirs is not None
-    ours, theirs = (float(one.rmsf[found.core].mean()) for one in (found.ours, found.theirs))
+    ours, theirs = (mean_text(one, found.core, " A") for one in (found.ours, found.theirs))
     return (
-        f"How far: ours {ours:.2f} A, theirs {theirs:.2f} A. Our amplitude was an input, not a "
-        "result; below, ours is scaled to theirs."
+        f"How far: ours {ours}; theirs {theirs}. Our amplitude was an input, not a result; below, "
+        "ours is scaled to theirs."
     )
 
 

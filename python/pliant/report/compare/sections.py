@@ -16,7 +16,7 @@ from pliant.measure.agreement import TEN
 from pliant.measure.compared.residue_report import ResidueComparison, Subspaces
 from pliant.report.build import Report, print_lines
 from pliant.report.compare.comparison_report import AtomComparison, ComparisonReport, Fluctuations
-from pliant.report.compare.conclusions import figure_text
+from pliant.report.compare.conclusions import figure_text, mean_text
 from pliant.report.section import Line, Section, Values
 
 WIDTH = 96  #: of a line
@@ -77,11 +77,12 @@ def _residues(report: ComparisonReport) -> Iterator[Line]:
 
 def _residue_table(found: ResidueComparison) -> Table:
     table = Table(
-        "figures, of residues", ["what", "ours", "theirs", "agreement", "ceiling", "by chance"]
+        "figures, of residues: +- one standard error, precision: two",
+        ["what", "ours", "theirs", "agreement", "ceiling", "by chance"],
     )
     add = table.rows.append
     assert found.theirs is not None
-    means = (_number(float(one.rmsf[found.core].mean())) for one in (found.ours, found.theirs))
+    means = (mean_text(one, found.core) for one in (found.ours, found.theirs))
     add(("RMSF, mean (A)", *means, f"r {figure_text(found.r)}", _number(found.r_ceiling), "0"))
     if found.ends:
         add(("  with free ends", "", "", f"r {_number(found.r_all)}", "", ""))
@@ -170,17 +171,21 @@ def _atoms(report: ComparisonReport) -> Iterator[Line]:
 def _summary_table(report: AtomComparison) -> Table:
     table = Table("how far they agree", ["what", "ours", "theirs", "agreement"])
     add = table.rows.append
-    add(_fluctuation_row("RMSF of atoms, mean (A)", report.atom_fluctuations))
+    add(_fluctuation_row("RMSF of atoms, mean (A), no error", report.atom_fluctuations))
     if report.residue_fluctuations:
-        add(_fluctuation_row("RMSF of alpha carbons, mean (A)", report.residue_fluctuations))
+        add(
+            _fluctuation_row(
+                "RMSF of alpha carbons, mean (A), no error", report.residue_fluctuations
+            )
+        )
     modes = report.modes
     count = min(modes.overlaps.shape, default=0)
     shares = (_number(modes.share_ours), _number(modes.share_theirs))
     add((f"first {count} modes, share of the variance", *shares, f"RMSIP {_number(modes.rmsip)}"))
     halves = (_number(modes.halves_ours), _number(modes.halves_theirs))
     add(("  RMSIP of its two halves", *halves, f"{_number(modes.chance)} by chance"))
-    radii = [f"{np.mean(r):.2f} +- {np.std(r):.2f}" for r in report.radii]
-    add(("radius of gyration (A)", *radii, ""))
+    radii = [f"{np.mean(r):.2f} ({np.std(r):.2f})" for r in report.radii]
+    add(("radius of gyration (A), mean (standard deviation)", *radii, ""))
     bars = report.bars
     if len(bars.labels):
         spreads = (np.sqrt(np.mean(s**2)) for s in (bars.spread_ours, bars.spread_theirs))

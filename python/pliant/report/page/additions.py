@@ -12,11 +12,24 @@ from pliant.report.section import Section
 
 
 @dataclass(frozen=True)
+class Answer:
+    """To one question of a study; `colour` or `figure` say which small picture the page has."""
+
+    text: str  #: a plain sentence
+    more: str = ""  #: residues and numbers behind it
+    colour: str = ""  #: key of a colouring of the 3-D view
+    figure: str = ""  #: name of a figure of the report
+
+    def __str__(self) -> str:
+        return f"{self.text} {self.more}".strip()
+
+
+@dataclass(frozen=True)
 class Additions:
     """Of the command that has an analysis made into a report."""
 
     made_by: str = "pliant analyse"
-    answers: Mapping[str, str] = field(default_factory=dict)  #: at the head: what -> the answer
+    answers: Mapping[str, Answer] = field(default_factory=dict)  #: at the head: what -> the answer
     sections: Sequence[Section[Analysis]] = ()  #: on more than an analysis asks
     files: Sequence[Path] = ()
     models: Sequence[Path] = ()  #: those of the files that show.pml and show.cxc load: PDB

@@ -12,6 +12,7 @@ from typing import Any
 
 from pliant.base.verdict import Verdict, verdict_of_all
 from pliant.report.build import Report
+from pliant.report.page.additions import Answer
 from pliant.report.page.html import (
     disclosure,
     fact,
@@ -73,16 +74,25 @@ class Page:
         return f'<h2>Please note</h2><section class="notes card"><ul>{items}</ul></section>'
 
 
-def lead(made: Sequence[Verdict], answers: Mapping[str, str]) -> str:
-    """The verdict over all, the answers of a study, and one line a question."""
+def lead(
+    made: Sequence[Verdict], answers: Mapping[str, Answer], pictures: Mapping[str, Path]
+) -> str:
+    """The verdict over all, the answers of a study, and one line a check; below answers, those are
+    folded away that are no reason for doubt."""
     judged = verdict_of_all(made)
     failed = any(one.kind == "bad" for one in made)
-    lines = "\n".join(_verdict(one, failed) for one in made)
+    folded = [one for one in made if answers and one.kind in ("good", "open")]
+    shown = [_verdict(one, failed) for one in made if one not in folded]
     mark = f'<div class="mark" aria-hidden="true">{MARKS[judged.kind]}</div>'
-    return (
-        f"{headline(judged.sentence, judged.details, judged.kind, mark)}\n{_answers(answers)}"
-        f'<section class="verdicts card">\n{lines}\n</section>'
-    )
+    parts = [headline(judged.sentence, judged.details, judged.kind, mark)]
+    if answers:
+        parts.append(_answers(answers, pictures))
+    if shown:
+        parts.append(f'<section class="verdicts card">{"".join(shown)}</section>')
+    if folded:
+        lines = "".join(_verdict(one, failed) for one in folded)
+        parts.append(disclosure("What was checked", f'<div class="verdicts">{lines}</div>'))
+    return "\n".join(parts)
 
 
 def headline(text: str, more: str, kind: str = "", mark: str = "") -> str:
@@ -91,13 +101,22 @@ def headline(text: str, more: str, kind: str = "", mark: str = "") -> str:
     return f'<section class="verdict card {kind}">{mark}{said}</section>'
 
 
-def _answers(answers: Mapping[str, str]) -> str:
-    """A card; "" without any."""
-    rows = "".join(
-        f"<tr><td>{escape(what)}</td><td>{escape(text)}</td></tr>" for what, text in answers.items()
-    )
-    card = f'<section class="answers card"><table>{rows}</table></section>\n'
-    return card if answers else ""
+def _answers(answers: Mapping[str, Answer], pictures: Mapping[str, Path]) -> str:
+    """A card with a row an answer."""
+    rows = "\n".join(_answer(what, one, pictures) for what, one in answers.items())
+    return f'<section class="answers card">\n{rows}\n</section>'
+
+
+def _answer(what: str, one: Answer, pictures: Mapping[str, Path]) -> str:
+    """A sentence, what is behind it, and its small picture."""
+    shown, alt = "", escape(f"A small picture: {one.text}")
+    if one.colour:  # a copy that the 3-D view draws
+        size = "width=680 height=380"
+        shown = f'<canvas data-colour="{one.colour}" {size} role="img" aria-label="{alt}"></canvas>'
+    elif one.figure in pictures:
+        shown = f'<img alt="{alt}" src="{_as_data(pictures[one.figure].read_bytes())}">'
+    more = f"<small>{escape(one.more)}</small>" if one.more else ""
+    return f"<div><h3>{escape(what)}</h3><p>{escape(one.text)}{more}</p>{shown}</div>"
 
 
 def _verdict(one: Verdict, failed: bool) -> str:
@@ -105,7 +124,7 @@ def _verdict(one: Verdict, failed: bool) -> str:
     colour = "open" if failed and one.kind == "good" else one.kind
     return (
         f'<div class="one {colour}"><div class="mark" aria-hidden="true">{MARKS[one.kind]}</div>'
-        f"<p><b>{escape(one.sentence)}</b> <span>{escape(one.details)}</span></p></div>"
+        f"<p><b>{escape(one.sentence)}</b> <span>{escape(one.details)}</span></p></div>\n"
     )
 
 
@@ -153,12 +172,14 @@ def _figure(caption: str, png: Path, dpi: int) -> str:
     width, height = (int.from_bytes(content[k : k + 4], "big") for k in (16, 20))  # of the PNG
     tall = ' class="card tall"' if height > 0.9 * width else ' class="card"'
     style = f"max-width:{min(100, 100 * width / dpi / WIDTH):.0f}%"
-    data = base64.b64encode(content).decode("ascii")
     return (
-        f'<figure{tall}><img alt="{escape(caption)}" style="{style}" '
-        f'src="data:image/png;base64,{data}">'
+        f'<figure{tall}><img alt="{escape(caption)}" style="{style}" src="{_as_data(content)}">'
         f"<figcaption>{escape(caption)}</figcaption></figure>"
     )
+
+
+def _as_data(png: bytes) -> str:
+    return f"data:image/png;base64,{base64.b64encode(png).decode('ascii')}"
 
 
 def methods(texts: Mapping[str, str]) -> str:

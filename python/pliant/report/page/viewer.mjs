@@ -144,6 +144,23 @@ class Viewer {
     this.draw();
   }
 
+  /** Small pictures beside answers: the whole molecule as it is at first, by their colours. */
+  copy() {
+    const {painting, view} = this;
+    for (const small of document.querySelectorAll('canvas[data-colour]')) {
+      this.painting = this.paintings.find(({key}) => key === small.dataset.colour);
+      view.resize(small.width, small.height, 1);
+      view.orbit.frame(this.positionsOf(this.frame), view.unit);
+      this.look();
+      view.draw();
+      small.getContext('2d').drawImage($('canvas'), 0, 0, small.width, small.height);
+    }
+    this.painting = painting;
+    this.resize();
+    this.home();
+    this.look();
+  }
+
   legend() {
     const [left, bar, right] = $('legend').children;
     const {legend} = this.painting;
@@ -157,7 +174,7 @@ class Viewer {
     const hasChain = model.trace.length > 3;
     const shapes = scene.trace_only ? ['trace', 'spheres'] : SHAPES;
     const styles = hasChain ? ['cartoon', ...shapes] : shapes.filter((name) => name !== 'trace');
-    const rows = paintings(scene);
+    const rows = this.paintings = paintings(scene);
     const wanted = ['cluster', ...hasChain ? ['mobility'] : [], 'element'];
     [this.style, this.painting] = [styles[0], rows[0]];
     choices('styles', styles.map((name) => [name, STYLES[name].title]), styles[0], (key) => {
@@ -203,6 +220,7 @@ class Viewer {
     new Turner($('canvas'), this.view).tell = (atom) => { $('atom').textContent = atom < 0 ? '' : this.nameOf(atom); };
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
       this.view.setBackground(colour('--view'));
+      this.copy();
       this.timeline.draw(this.series, this.frame);
     });
     new ResizeObserver(() => {
@@ -213,6 +231,7 @@ class Viewer {
 
   start() {
     this.controls();
+    this.copy();
     this.listen();
     $('message').hidden = true;
     facts.viewer = 'drawn';

@@ -15,7 +15,13 @@ from pliant.base import style
 from pliant.base.console import Table
 from pliant.base.verdict import Verdict
 from pliant.measure.collective import participation
-from pliant.measure.flexibility import Flexibility, flexibility, numbered_blocks, path_blocks
+from pliant.measure.flexibility import (
+    Flexibility,
+    flexibility,
+    numbered_blocks,
+    path_blocks,
+    precision,
+)
 from pliant.measure.stages.amplitude import asked_amplitude
 from pliant.measure.stages.analysis import Analysis
 from pliant.measure.stages.parts import Part, ReferenceStructure, Units
@@ -107,12 +113,12 @@ def _convergence(analysis: Analysis) -> Verdict:
     details = (
         f"RMSF profiles of the two halves of the frames correlate at {found.correlation:.3f} and "
         f"differ by {100 * found.difference:.0f} % on average (converged: at least 0.95, at most "
-        f"10 %). Errors are estimated from {found.blocks} blocks of frames. They say how well "
-        "frames made anew in the same way would repeat these numbers, not how near these are to "
-        "the molecule's."
+        f"10 %). The precision follows from how far {found.blocks} independent groups of frames "
+        "differ. It says how well frames made anew in the same way would repeat these numbers; "
+        "accuracy, how near these are to the molecule's, is not known."
     )
     if analysis.kind == ENSEMBLE and len(analysis.frames) < 200:
-        details += " Fewer than 200 frames do not fill two blocks: errors may be too large."
+        details += " Of fewer than 200 frames the precision may be better than said."
     if not found.converged:
         differ = "The flexibility is not converged: the halves differ."
         return Verdict("mixed", differ, details)
@@ -139,36 +145,38 @@ def _asked(analysis: Analysis) -> float | None:
     return asked_amplitude(analysis.source.parameters)
 
 
-def _mean(analysis: Analysis) -> str:
-    found = analysis[UnitFlexibility].found
-    return f"{found.rmsf.mean():.2f} ± {2 * found.error.mean():.1g}"
-
-
 def _lines(analysis: Analysis) -> Iterator[tuple[str, str]]:
+    found = analysis[UnitFlexibility].found
     size = "; its size is an input" if _amplitude(analysis) else ""
-    yield "flexibility", f"{_mean(analysis)} Å (mean RMSF{size})"
+    yield (
+        "flexibility",
+        f"{found.rmsf.mean():.2f} Å, {precision(found.rmsf, found.error)} (mean RMSF{size})",
+    )
 
 
 def _facts(analysis: Analysis) -> Iterator[Fact]:
     if analysis.kind == TRANSITION:
         return
+    found = analysis[UnitFlexibility].found
     what = "n atom" if analysis[Units].what == "atom" else " residue"
-    size = "" if _asked(analysis) is None else "; its size is an input, ± the error of sampling"
-    yield Fact(_mean(analysis), "Å", f"mean fluctuation of a{what} (RMSF){size}")
+    size = "" if _asked(analysis) is None else ", an input"
+    meaning = f"mean fluctuation of a{what} (RMSF){size}; {precision(found.rmsf, found.error)}"
+    yield Fact(f"{found.rmsf.mean():.2f}", "Å", meaning)
 
 
 def _tables(analysis: Analysis) -> Iterator[Table]:
     """The most flexible units, and ligands, which are not ranked with them."""
     found, units = analysis[UnitFlexibility].found, analysis[Units]
     order = np.argsort(-found.rmsf, kind="stable")
-    columns = {"name": units.labels, "rmsf": found.rmsf, "error": found.error}
+    share = np.divide(200 * found.error, found.rmsf, out=0 * found.rmsf, where=found.rmsf > 0)
+    columns = {"name": units.labels, "rmsf": found.rmsf, "error": share}
     rmsf = ("RMSF (Å)", "{:.3f}".format)
     ranked = order[units.ranked[order]][:8]
     if analysis.kind == TRANSITION:
         caption = f"{units.what.capitalize()}s that move most on the way"
         yield table_of(caption, columns, {"name": (units.what, str), "rmsf": rmsf}, ranked)
         return
-    error = ("± 2 standard errors of sampling", lambda value: f"± {2 * value:.2g}")
+    error = ("precision (2 standard errors)", "{:.1f} %".format)
     caption = f"Most flexible {units.what}s" + ("" if found.converged else " (not converged)")
     shown: Shown = {"name": (units.what, str), "rmsf": rmsf, "error": error}
     yield table_of(caption, columns, shown, ranked)
@@ -235,8 +243,10 @@ def _draw(analysis: Analysis) -> Figure:
 def _name(axes: Axes, analysis: Analysis) -> None:
     found, what = analysis[UnitFlexibility].found, analysis[Units].what
     agree = "halves agree" if found.converged else "not converged: halves differ"
-    error = f"2 standard errors {2 * found.error.mean():.1g} Å on average"
-    title, top = f"Flexibility: {agree}, {error}", found.rmsf + 2 * found.error
+    title, top = (
+        f"Flexibility: {agree}, {precision(found.rmsf, found.error)}",
+        found.rmsf + 2 * found.error,
+    )
     if analysis.kind == TRANSITION:
         title, top = f"How far {what}s move on the way", found.rmsf
     axes.set(ylabel="RMSF (Å)", title=title, ylim=(0, 1.04 * float(top.max()) or 1.0))
@@ -267,12 +277,12 @@ FLEXIBILITY = Measured(
             _draw,
             caption(
                 "Root mean square fluctuation about the average place, after superposition. The "
-                "band (or error bar) is twice the error, from blocks of frames. A strip along the "
+                "band (or error bar) is the precision: two standard errors. A strip along the "
                 "axis has the colours of the domains.",
                 path="Of this path only: with other pushes, or more of them, the profile would be "
                 "another.",
                 ensemble="About 19 of 20 values of a much longer run lie within the band. It is "
-                "the error of having few frames; errors of the model that made them are not in it.",
+                "the error of having few frames; accuracy, how far the model is off, is not in it.",
                 transition="Root mean square distance from the average place on the way, after "
                 "superposition: what must move to get from one structure to the other. A strip "
                 "along the axis has the colours of the domains.",

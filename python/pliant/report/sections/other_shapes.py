@@ -26,6 +26,10 @@ NO_POPULATION = (
     "The number of frames in a shape is not a population: it reflects how the frames were drawn, "
     "not energies or how often the molecule has that shape."
 )
+MORE_ROOM = (
+    "Places with more room than at the start: pockets, or, where it is hundreds of Å³ more, often "
+    "the gap between parts that moved away from each other"
+)
 #: contacts of a shape that the page names
 NAMED = 4
 #: what is less is neither open nor compact, or opens nor closes
@@ -93,7 +97,7 @@ def _goes_on(part: OtherShapes, shape: Shape) -> int:
     return 1 if part.openness * shape.wider > 0 else -1
 
 
-def _turns(analysis: Analysis, shape: Shape) -> list[dict[str, Any]]:
+def turns_of(analysis: Analysis, shape: Shape) -> list[dict[str, Any]]:
     """Each piece that turned: its stretches, degrees, and the hinges at its ends."""
     atoms, turns = analysis.universe.atoms[analysis[OtherShapes].sites], shape.turns
     every, chains = analysis.residue_labels, chains_of(atoms)
@@ -112,7 +116,7 @@ def _turns(analysis: Analysis, shape: Shape) -> list[dict[str, Any]]:
 def turns_text(analysis: Analysis, shape: Shape) -> str:
     """What turned, in words."""
     texts = []
-    for turn in _turns(analysis, shape):
+    for turn in turns_of(analysis, shape):
         stretches = ", ".join(f"{a} to {b}" for a, b in turn["residues"])
         hinges = ", ".join(f"{a}/{b}" for a, b in turn["hinges"])
         about = f" about {hinges}" if hinges else ""
@@ -165,8 +169,8 @@ def _tables(analysis: Analysis) -> Iterator[Table]:
         for number, shape in enumerate(part.shapes, 1)
         for pocket in shape.pockets
     ]
-    headers = ("", "room (Å³)", "at the start", "around it", "lined by")
-    yield Table("Pockets with more room than at the start", headers, pockets)
+    headers = ("", "room (Å³)", "at the start", "around it, ± standard deviation", "lined by")
+    yield Table(MORE_ROOM, headers, pockets)
 
 
 def _shape_rows(analysis: Analysis) -> Iterator[Sequence[str]]:
@@ -192,7 +196,7 @@ def _columns(analysis: Analysis) -> Columns:
     shapes = analysis[OtherShapes].shapes
     if not shapes:
         return {}
-    turned = [turns_text(analysis, shape) if _turns(analysis, shape) else "" for shape in shapes]
+    turned = [turns_text(analysis, shape) if turns_of(analysis, shape) else "" for shape in shapes]
     columns = {
         "shape": np.arange(1, len(shapes) + 1),
         "frame": [shape.frame for shape in shapes],
@@ -250,7 +254,7 @@ def _values(analysis: Analysis) -> Values:
             "frames": shape.frames,
             "rmsd": shape.rmsd,
             "mean_rmsd_within": shape.spread,
-            "turned": _turns(analysis, shape),
+            "turned": turns_of(analysis, shape),
             "contacts_gone": None if shape.gone is None else len(shape.gone),
             "pairs_come_together": shape.made,
             "radius_of_gyration_change": shape.wider,

@@ -30,7 +30,7 @@ from pliant.report.sections.pocket_scripts import write_pocket_frames
 from pliant.trajectory.kind import ENSEMBLE
 
 COLUMNS = (
-    *("pocket", "at the start (Å³)", "smallest, frame", "largest, frame"),
+    *("pocket", "at the start (Å³), ± error of the grid", "smallest, frame", "largest, frame"),
     *("frames with a gap instead", "lined by"),
 )
 CAPTION = (

@@ -158,7 +158,13 @@ def _draw_gyration(analysis: Analysis) -> Figure:
     mean, spread = found.radius.mean(), found.radius.std()
     figure, axes = style.new_figure()
     axes.axhspan(mean - spread, mean + spread, color=style.FAINT, lw=0, zorder=0.5)
-    axes.axhline(mean, color=style.GREY, lw=1, zorder=1, label=f"mean {mean:.2f} ± {spread:.2g} Å")
+    axes.axhline(
+        mean,
+        color=style.GREY,
+        lw=1,
+        zorder=1,
+        label=f"mean {mean:.2f} Å, standard deviation {spread:.2g}",
+    )
     axes.plot(x, found.radius, color=style.GREEN, **_style(analysis))
     what = "mass-weighted" if found.weights == "mass" else "equal weights"
     axes.set(xlabel=label, ylabel="radius of gyration (Å)", title=f"Size ({what})")

@@ -18,6 +18,7 @@ from pliant.measure.stages.analysis import Analysis
 from pliant.measure.stages.parts import ReferenceStructure
 
 COLUMNS = 4  #: panels in a row
+FIRST = 3  #: shapes of the small picture
 #: points of the curve for half the way from a residue to the next
 POINTS = 4
 LONGEST_STEP = 8.0  #: from residue to residue, Angstrom; a longer one is a gap
@@ -26,19 +27,25 @@ SCALE = 10.0  #: length of the bar in the corner, Angstrom
 BESIDE = np.array([4.0, 16.0])  #: room between two panels, Angstrom
 
 
-def shape_pictures(analysis: Analysis) -> Figure:
+def first_shapes(analysis: Analysis) -> Figure:
+    """A small picture of the most plausible ones."""
+    return shape_pictures(analysis, FIRST)
+
+
+def shape_pictures(analysis: Analysis, most: int | None = None) -> Figure:
     """One panel a shape, all to one scale: they share axes, of which each would take as long to
     draw as what is in them."""
     part = analysis[OtherShapes]
-    columns = min(COLUMNS, len(part.shapes))
-    width, rows = style.WIDE[0] * max(columns, 2) / COLUMNS, -(-len(part.shapes) // columns)
+    shapes = part.shapes[:most]
+    columns = min(COLUMNS, len(shapes))
+    width, rows = style.WIDE[0] * max(columns, 2) / COLUMNS, -(-len(shapes) // columns)
     start = analysis[ReferenceStructure].positions[part.sites]
-    pairs = [_seen(start, shape) for shape in part.shapes]
+    pairs = [_seen(start, shape) for shape in shapes]
     size = 2 * np.max([np.abs(pair[..., :2]).max(axis=(0, 1)) for pair in pairs], axis=0) + BESIDE
     height = width * rows * size[1] / (columns * size[0])
     figure, axes = style.new_figure((width, height))
     axes.set_axis_off()
-    for k, (shape, pair) in enumerate(zip(part.shapes, pairs, strict=True)):
+    for k, (shape, pair) in enumerate(zip(shapes, pairs, strict=True)):
         place = size * (k % columns, -(k // columns))
         _draw(axes, pair + np.append(place, 0.0), shape)
         far = f"{shape.rmsd:.1f} Å{' (far)' if part.is_beyond(shape) else ''}"

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from pliant.base import style
 from pliant.base.console import counted
-from pliant.measure.flexibility import STILL
+from pliant.measure.flexibility import STILL, precision
 from pliant.report.figures.profile import NAMED_BARS, draw_profile
 from pliant.report.multi_model import write_models
 from pliant.report.section import Columns, Picture, Section
@@ -43,7 +43,7 @@ def _flexibility(found: EnsembleFlexibility) -> Lines:
         yield "flexibility", f"nothing moves: RMSF of all {units} is below {STILL:g} Angstrom"
         return
     mean = f"{found.rmsf.mean():.3f} Angstrom, mean RMSF of {units}"
-    yield "flexibility", f"{mean}; {found.error.mean():.4f} standard error"
+    yield "flexibility", f"{mean}; {precision(found.rmsf, found.error)}"
     if found.amplitude is not None:
         asked = f"asked {found.amplitude:.2f} Angstrom"
         what = "how far all moves is an input, which parts move more than others is a result"

@@ -5,10 +5,13 @@ from __future__ import annotations
 
 import argparse
 import gc
+import shutil
 import sys
+import textwrap
 import warnings
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from pliant._core import OptionError
 from pliant.base import console
@@ -109,9 +112,19 @@ def _study(arguments: argparse.Namespace) -> int:
     elif not arguments.quiet:
         for text in found.sampled.facts["warnings"]:
             console.warn(text)
-        for what, answer in found.answers.items():
-            print(f"{LABELS.get(what, what):<14}{console.printable(answer)}")
+        for what, answer in found.answered.items():
+            _print(LABELS.get(what, what), answer.text)
+            _print("", answer.more)
     return console.EXIT_OK
+
+
+def _print(label: str, text: str) -> None:
+    """Beside its label; on a terminal no longer than its lines. Nothing without a text."""
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else sys.maxsize
+    look: dict[str, Any] = {"break_long_words": False, "break_on_hyphens": False}
+    look |= {"initial_indent": f"{label:<14}", "subsequent_indent": " " * 14}
+    if text:
+        print(textwrap.fill(console.printable(text), width, **look))
 
 
 if __name__ == "__main__":

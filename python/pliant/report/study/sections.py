@@ -13,8 +13,10 @@ from pliant.measure.stages.parts import Units
 from pliant.report.check.check_report import findings_table
 from pliant.report.page.additions import Additions
 from pliant.report.page.html import sentence
-from pliant.report.section import Section
+from pliant.report.section import Picture, Section
 from pliant.report.sections.headings import ON_THE_WAY, STARTS
+from pliant.report.sections.other_shapes import OTHER_SHAPES
+from pliant.report.sections.shape_pictures import first_shapes
 from pliant.report.study.studied import LABELS
 
 if TYPE_CHECKING:
@@ -25,8 +27,16 @@ if TYPE_CHECKING:
 NOT_AT_THE_HEAD = ("verdict", "page", "files")
 
 
+#: under no heading: its figure stands at the head
+FIRST_SHAPES: Section[Analysis] = Section(
+    applies=OTHER_SHAPES.applies,
+    pictures=[Picture("first_shapes", first_shapes, suits=OTHER_SHAPES.pictures[0].suits)],
+)
+
+
 def sections(study: Study) -> Iterator[Section[Analysis]]:
     """Of a study that has all but its answers."""
+    yield FIRST_SHAPES
     yield Section(name="input", verdict=lambda _: _input(study))
     path, check = study.path, study.check
     if path is not None:
@@ -51,7 +61,7 @@ def _only(name: str, verdict: Verdict) -> Section[Analysis]:
 
 def additions(study: Study) -> Additions:
     """What the report of its ensemble has besides, once its answers are there."""
-    said = study.answers.items()
+    said = study.answered.items()
     answers = {LABELS.get(k, k): text for k, text in said if k not in NOT_AT_THE_HEAD}
     files = [study.sampled.ensemble, *study.outputs.values()]
     models = [path for name, path in study.outputs.items() if name == "representatives"]

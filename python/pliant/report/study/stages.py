@@ -21,7 +21,7 @@ from pliant.report.representatives import REMARK
 from pliant.report.save import drawing_of
 from pliant.report.sections.table import analyse_trajectory
 from pliant.report.study.answers import answers
-from pliant.report.study.sections import additions, sections
+from pliant.report.study.sections import FIRST_SHAPES, additions, sections
 from pliant.report.study.studied import Sampled, Study
 from pliant.report.suite import DPI, AnalysisReport
 from pliant.report.write import finish_report, report_of
@@ -53,7 +53,8 @@ class StudyTask:
                 analyse_trajectory(AnalysisOptions(str(ensemble.ensemble)), on_stage)
             )
             found = Study(os.fspath(self.file), self.folder, ensemble, report)
-            with drawing_of(report_of(report.analysis), self.folder, DPI) as drawing:
+            begun = Additions(sections=[FIRST_SHAPES])
+            with drawing_of(report_of(report.analysis, begun), self.folder, DPI) as drawing:
                 self._answer(found, on_stage)
                 on_stage("figures and page")
                 more = report.more
@@ -67,7 +68,7 @@ class StudyTask:
         found.representatives = self._representatives(found)
         self._check(found, on_stage)
         found.report.more = Additions(sections=[*sections(found)])
-        found.answers = answers(found)
+        found.answered = answers(found)
         found.report.more = additions(found)
 
     def _path(self, found: Study, on_stage: Callable[[str], None]) -> None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from pliant.jobs.path.found import MolecularPath
     from pliant.measure.shapes.representatives import Representatives
     from pliant.report.check.check_report import CheckReport
+    from pliant.report.page.additions import Answer
     from pliant.report.suite import AnalysisReport
 
 
@@ -41,8 +42,12 @@ class Study(Displayed):
     check: CheckReport | None = None  #: what OpenMM made of a few frames
     why_no_check: str = ""  #: why OpenMM was not asked
     outputs: dict[str, Any] = field(default_factory=dict)  #: paths of the files
-    #: question in a word -> its answer in a line, as `pliant study` prints them
-    answers: dict[str, str] = field(default_factory=dict)
+    answered: dict[str, Answer] = field(default_factory=dict)  #: question in a word -> its answer
+
+    @property
+    def answers(self) -> dict[str, str]:
+        """Question in a word -> its answer in words."""
+        return {what: str(answer) for what, answer in self.answered.items()}
 
     @property
     def page(self) -> Path:
