@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -175,4 +176,4 @@ def precision(rmsf: np.ndarray, error: np.ndarray) -> str:
     "no error" where it is not known."""
     mean, apart = float(rmsf.mean()), 2 * float(error.mean())
     known = mean > 0 and math.isfinite(apart)
-    return f"precision {math.ceil(100 * apart / mean)} %" if known else "no error"
+    return f"precision {max(1, round(100 * apart / mean))} %" if known else "no error"

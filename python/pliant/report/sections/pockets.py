@@ -83,7 +83,7 @@ def _lines(analysis: Analysis) -> Iterator[tuple[str, str]]:
     first, *others = part.pockets
     low, high = first.volumes[first.smallest], first.volumes[first.largest]
     gaps = int(np.count_nonzero(first.is_gap))
-    start = f"{first.name}: {first.at_start:.0f} ± {first.error:.0f} Å³ at the start"
+    start = f"{first.name}: {first.at_start:.0f} Å³ at the start (grid error ± {first.error:.0f})"
     frames = f"{low:.0f} to {high:.0f} in {len(part.places) - gaps} frames"
     gap = f", a gap in {gaps}" if gaps else ""
     more = f"; {len(others)} more in the report" if others else ""
