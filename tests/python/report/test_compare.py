@@ -284,7 +284,13 @@ def test_the_table_and_the_pictures(ours, tmp_path, capsys, rendered):
     for name in ("ours.compare.png", "ours.compare-torsions.png"):
         assert (folder / name).read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
         assert f"picture  {folder / name}\n" in out
-    for words in ("Pearson r 1.00", "RMSIP 1.00", "by chance", "radius of gyration (A)"):
+    for words in (
+        "Pearson r 1.00",
+        "RMSIP 1.00",
+        "by chance",
+        "(A), no error",
+        "(standard deviation)",
+    ):
         assert words in out
 
 

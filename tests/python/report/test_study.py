@@ -4,6 +4,7 @@
 import json
 import re
 from dataclasses import replace
+from html import escape
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -74,6 +75,13 @@ def test_the_answers_are_at_the_head_of_the_page(studied):
     for key in re.findall(r'<canvas data-colour="(\w+)"', page):
         assert key in scene(studied.report.analysis)["units"]
     assert '<a href="representatives.pdb">' in page
+
+
+def test_checks_that_are_no_reason_for_doubt_are_folded_away(studied):
+    shown, folded = studied.page.read_text().split("<summary>What was checked</summary>")
+    for one in verdicts(studied).values():
+        where = folded if one.kind in ("good", "open") else shown
+        assert f"<b>{escape(one.sentence)}</b>" in where
 
 
 def test_what_is_flexible_and_what_was_left_out_is_said(studied):
