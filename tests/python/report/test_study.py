@@ -214,6 +214,7 @@ def test_a_path_to_another_structure_is_part_of_it(studied, tmp_path, capsys):
     assert found["path"]["rmsd_reached"] <= found["path"]["rmsd_at_start"]
     assert Path(found["outputs"]["path"]).exists()
     assert "end.pdb" in found["answers"]["path"]
+    assert re.match(r"[\d.]+ Å to end\.pdb \(RMSD of CA\)", found["answers"]["how far"])
     assert "How it gets there" in (tmp_path / "out" / "report.html").read_text()
 
 

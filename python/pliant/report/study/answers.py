@@ -75,6 +75,14 @@ def _molecule(analysis: Analysis) -> str:
 
 
 def _how_far(study: Study) -> Answer:
+    alone = _how_far_alone(study)
+    if study.path is None:
+        return alone
+    to_end = f"{study.path.frames[0].to_end:.1f} Å to {study.end} (RMSD of CA)."
+    return Answer(to_end, str(alone))
+
+
+def _how_far_alone(study: Study) -> Answer:
     """What is known of it: the size of motions around the start was an input."""
     analysis, mean = study.report.analysis, _mean(study)
     if mean is None:

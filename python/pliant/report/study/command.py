@@ -24,8 +24,8 @@ HELIX = Path(__file__).parents[2] / "static" / "examples" / "peptide_20.pdb"
 
 DESCRIPTION = """\
 Studies a molecule and answers, on one page: how far it moves, which parts are flexible, what moves
-together, what else it could look like, and what was left out. With END, another structure of the same molecule,
-a path to it is found as well. For a small molecule, conformers are studied.
+together, what else it could look like, and what was left out. With END, another structure of the
+same molecule, a path to it is found as well. For a small molecule, conformers are studied.
 
 It does what pliant sample, analyse, path and check do by default, one after the other. To choose
 options yourself, use those commands."""
