@@ -40,17 +40,22 @@ nb::object rooms_of(const GivenFrames& frames, const std::vector<double>& radii,
   return nb::cast(pairs_array_of(std::move(found)));
 }
 
-using GivenMoves = nb::ndarray<const float, nb::shape<-1, -1>, nb::c_contig, nb::device::cpu>;
-using GivenWeights = nb::ndarray<const float, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
 using GivenPlaces = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
-using GivenSites = nb::ndarray<const std::int64_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
+using GivenMoves = nb::ndarray<const double, nb::shape<-1, 3, -1>, nb::c_contig, nb::device::cpu>;
+using GivenSides = nb::ndarray<const bool, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
+using GivenStretches =
+    nb::ndarray<const std::int64_t, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 
-nb::object left_of(const GivenPlaces& mean, const GivenMoves& moves, const GivenWeights& weights,
-                   const GivenSites& body) {
+nb::object followed_by(const GivenPlaces& mean, const GivenMoves& moves, const GivenSides& is_one,
+                       const GivenStretches& stretches) {
   const SiteMoves sites{{reinterpret_cast<const Vec3*>(mean.data()), mean.shape(0)},
-                        {moves.data(), moves.size()},
-                        {weights.data(), weights.size()}};
-  return nb::cast(array_of(left_by_rigid_motion(sites, {body.data(), body.size()})));
+                        {moves.data(), moves.size()}};
+  std::vector<double> found;
+  for (const auto& both : followed_rigidly(
+           sites, {reinterpret_cast<const std::uint8_t*>(is_one.data()), is_one.size()},
+           {reinterpret_cast<const Stretch*>(stretches.data()), stretches.shape(0)}))
+    found.insert(found.end(), both.begin(), both.end());
+  return nb::cast(pairs_array_of(std::move(found)));
 }
 
 }  // namespace
@@ -64,14 +69,15 @@ void bind_measures(nb::module_& module) {
                      "numpy.typing.NDArray[numpy.int64]]]"),
              "Of each frame (F, n, 3): the points of pockets, as the pocket of each, from 0 by "
              "size, and the atom nearest to it.");
-  module.def("left_by_rigid_motion", &left_of, "mean"_a, "moves"_a, "weights"_a, "body"_a,
-             nb::sig("def left_by_rigid_motion(mean: numpy.typing.NDArray[numpy.float64], "
-                     "moves: numpy.typing.NDArray[numpy.float32], "
-                     "weights: numpy.typing.NDArray[numpy.float32], "
-                     "body: numpy.typing.NDArray[numpy.int64]) -> "
+  module.def("followed_rigidly", &followed_by, "mean"_a, "moves"_a, "is_one"_a, "stretches"_a,
+             nb::sig("def followed_rigidly(mean: numpy.typing.NDArray[numpy.float64], "
+                     "moves: numpy.typing.NDArray[numpy.float64], "
+                     "is_one: numpy.typing.NDArray[numpy.bool_], "
+                     "stretches: numpy.typing.NDArray[numpy.int64]) -> "
                      "numpy.typing.NDArray[numpy.float64]"),
-             "Mean square fluctuation of each site of mean (n, 3) and moves (3n, F) that is left "
-             "when all follow the rigid motion that fits those of the body best.");
+             "Of sites of mean (n, 3) and moves (n, 3, m), and of each stretch (first, end): the "
+             "sums of squares (s, 2) that the sites of is_one follow as one rigid body, and the "
+             "others, once the sites of the stretch have changed sides.");
   module.def("rooms_among", &rooms_of, "frames"_a, "radii"_a, "linings"_a, "step"_a = pocket_step,
              "offset"_a = 0.0,
              nb::sig("def rooms_among(frames: numpy.typing.NDArray[numpy.float64], "

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The rigid motion that sites follow best, frame by frame, and what it leaves of their motion.
+// How much of the motion of sites is rigid, when they are taken as two bodies.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,16 +12,23 @@
 
 namespace pliant {
 
-/// Moves of n sites in F frames from their mean places, kept by reference.
+/// Moves of n sites along m motions, from their mean places, kept by reference.
 struct SiteMoves {
-  std::span<const Vec3> mean;      ///< (n) Angstrom
-  std::span<const float> moves;    ///< (3n x F) x, y and z of the first site in all frames first
-  std::span<const float> weights;  ///< (F) of the frames; they sum to 1
+  std::span<const Vec3> mean;     ///< (n) Angstrom
+  std::span<const double> moves;  ///< (n x 3 x m) Angstrom
+  std::size_t motions() const { return moves.size() / (3 * mean.size()); }
 };
 
-/// (n) mean square fluctuation of every site that is left when all follow the rigid motion that
-/// fits the sites of `body` best (least squares, to first order).
-std::vector<double> left_by_rigid_motion(const SiteMoves& sites,
-                                         std::span<const std::int64_t> body);
+/// Sites `first` to before `end` change sides.
+struct Stretch {
+  std::int64_t first, end;
+};
+
+/// The sums of squares of the moves that two bodies follow as rigid ones (least squares, to first
+/// order), for each stretch: the one is the sites with `is_one` (n, 0 or 1), the other all others,
+/// once the sites of the stretch have changed sides. A body of no sites follows nothing.
+std::vector<std::array<double, 2>> followed_rigidly(const SiteMoves& sites,
+                                                    std::span<const std::uint8_t> is_one,
+                                                    std::span<const Stretch> stretches);
 
 }  // namespace pliant

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from pliant.measure.domains import find_domains
 from pliant.measure.domains.find import APART, TOGETHER
-from pliant.measure.domains.splits import Frames, left_over
+from pliant.measure.domains.splits import Frames, rigid_bodies
 from pliant.trajectory.superposition import superpose_all
 from scipy.spatial.transform import Rotation
 
@@ -72,7 +72,7 @@ def test_noise_still_frames_and_one_rigid_body_are_one_piece():
     shape = 10 * random.standard_normal((60, 3))
     trembling = superpose_all(shape + 0.3 * random.standard_normal((200, 60, 3)))
     rigid = superpose_all([Rotation.random(random_state=k).apply(shape) for k in range(20)])
-    for positions in (trembling, np.array([shape] * 5), rigid):
+    for positions in (trembling, trembling[:, :25], np.array([shape] * 5), rigid):
         found = find_domains(positions, one_chain(positions))
         assert (found.count, found.explained, len(found.hinges)) == (1, 0.0, 0)
         assert set(found.domain.tolist()) == {0}
@@ -119,23 +119,76 @@ def test_many_frames_are_thinned_and_samples_hold_what_they_drew():
     positions = bodies(drawn(600, 1, 6))
     assert find_domains(positions, one_chain(positions)).count == 2
     frames = Frames(positions, one_chain(positions), [np.arange(100), np.arange(100, 300)])
-    assert np.count_nonzero(frames.sample(np.array([1, 0])).weights) == 100
+    moves = frames.sample(np.array([1, 0])).moves
+    assert np.sum(moves**2) == pytest.approx(positions[:100].var(axis=0).sum(), rel=0.02)
 
 
-def test_what_is_left_beside_a_rigid_motion_is_what_least_squares_leaves():
-    positions = bodies(drawn(30, 1, 9), 0.3)
-    sample = Frames(positions, one_chain(positions), [np.arange(30)]).sample(np.ones(1))
-    body = np.arange(10, 60)
-    arms = sample.mean - sample.mean[body].mean(axis=0)
-    basis = np.zeros((len(arms), 3, 6))
-    for k, axis in enumerate(np.eye(3)):
-        basis[:, :, k] = axis
-        basis[:, :, 3 + k] = np.cross(axis, arms)
-    left = np.zeros(len(arms))
-    for move in sample.moves.T.reshape(30, -1, 3).astype(float):
-        amounts = np.linalg.lstsq(basis[body].reshape(-1, 6), move[body].ravel(), rcond=None)[0]
-        left += np.sum((move - basis @ amounts) ** 2, axis=1) / 30
-    np.testing.assert_allclose(left_over(sample, body), left, rtol=1e-3, atol=1e-4)
+def sample_of(positions):
+    every = [np.arange(len(positions))]
+    return Frames(positions, one_chain(positions), every).sample(np.ones(1))
+
+
+def test_what_two_bodies_follow_is_what_least_squares_fit():
+    sample = sample_of(bodies(drawn(30, 1, 9), 0.3))
+    body = np.zeros(2 * BODY, dtype=bool)
+    body[10:30] = True
+    found = sample.followed(body, np.array([[0, 0], [25, 60], [10, 30]]))
+    body[25:60] = ~body[25:60]
+
+    def squares(some):
+        basis = np.zeros((some.sum(), 3, 6))
+        for k, axis in enumerate(np.eye(3)):
+            basis[:, :, k] = axis
+            basis[:, :, 3 + k] = np.cross(axis, sample.mean[some])
+        moves = sample.moves[some].reshape(3 * some.sum(), -1)
+        amounts = np.linalg.lstsq(basis.reshape(-1, 6), moves, rcond=None)[0]
+        return np.sum((basis.reshape(-1, 6) @ amounts) ** 2)
+
+    np.testing.assert_allclose(found[1], [squares(body), squares(~body)], rtol=1e-6)
+    np.testing.assert_allclose(found[2], [0.0, found.sum(axis=1)[2]], atol=1e-9)
+
+
+def test_motions_hold_all_that_the_frames_do():
+    positions = bodies(drawn(15, 1, 9), 0.3)
+    sample = sample_of(positions)
+    spread = np.sum(positions.var(axis=0))
+    assert np.sum(sample.moves**2) == pytest.approx(spread, rel=1e-9)
+
+
+def test_a_split_is_where_few_contacts_are_among_those_that_move_alike():
+    """A rod of discs of nine sites bends evenly: motion alone would cut it near its middle, after
+    site 44. Its seventh disc is a single site, where fewer contacts are cut."""
+    disc = 4.0 * np.stack(np.meshgrid([0], range(3), range(3), indexing="ij"), -1).reshape(-1, 3)
+    discs = [(disc if k != 6 else disc[4:5]) + [6.0 * k, 0.0, 0.0] for k in range(10)]
+    rod = np.concatenate(discs) - [27.0, 4.0, 4.0]
+    angle = 0.01 * drawn(60, 1, 4) * rod[:, 0]
+    frames = rod + np.stack([-angle * rod[:, 1], 0.5 * angle * rod[:, 0], 0 * angle], axis=-1)
+    body = rigid_bodies(sample_of(frames))
+    (cut,) = np.flatnonzero(np.diff(body))
+    assert abs(cut - 54) <= 3
+
+
+def test_what_frames_that_reach_further_do_not_show_is_no_domain():
+    near = bodies(drawn(200, 2, 3) * [1.0, 0.6])
+    far = bodies(drawn(200, 2, 4) * [1.0, 0.0])
+    chain = one_chain(near)
+    assert find_domains(near, chain).count == 3
+    assert find_domains(near, chain, far=far).count == 2
+    assert find_domains(near, chain, far=bodies(drawn(200, 2, 4))).count == 3
+
+
+def test_a_path_of_adenylate_kinase_shows_core_lid_and_nmp():
+    """Resamples differ in where the NMP-binding domain ends, and agree on less than 30 sites."""
+    data = pytest.importorskip("MDAnalysisTests.datafiles")
+    import MDAnalysis
+
+    universe = MDAnalysis.Universe(data.PSF, data.DCD)
+    alphas = universe.select_atoms("name CA")
+    frames = superpose_all(np.array([alphas.positions.astype(float) for _ in universe.trajectory]))
+    found = find_domains(frames, np.zeros(214, dtype=int))
+    assert found.count == 3
+    core, lid, nmp = (set(found.domain[a:b].tolist()) for a, b in ((0, 25), (121, 157), (36, 58)))
+    assert (core, lid, nmp) == ({0}, {1}, {2})
 
 
 def test_seeds_of_adenylate_kinase_agree_on_core_lid_and_nmp():
@@ -146,8 +199,9 @@ def test_seeds_of_adenylate_kinase_agree_on_core_lid_and_nmp():
     alphas = np.flatnonzero(np.asarray(model.structure.names) == "CA")
     assigned = []
     for seed in range(2):
-        frames = pliant.sample(model, 100, sampler="modes", seed=seed).positions[:, alphas]
-        found = find_domains(superpose_all(np.asarray(frames)), np.zeros(214, dtype=int))
+        frames = pliant.sample(model, 200, sampler="reach", seed=seed).positions[:, alphas]
+        near, far = (superpose_all(some) for some in np.split(np.asarray(frames), 2))
+        found = find_domains(near, np.zeros(214, dtype=int), far=far)
         assert found.count == 3 and found.counts[3] >= TOGETHER
         lid, nmp, core = (set(found.domain[a:b].tolist()) for a, b in
                           ((121, 157), (36, 58), (0, 25)))  # fmt: skip

@@ -14,7 +14,7 @@ from pliant.measure.stages.parts import ReferenceStructure, Units
 from pliant.report.build import Report
 from pliant.report.section import Fact, Picture
 from pliant.report.sections.bars import Residuals
-from pliant.report.sections.domains import RigidDomains
+from pliant.report.sections.domains import KNOWN, RigidDomains
 from pliant.report.sections.headings import SHAPES
 from pliant.report.sections.measured import Measured
 from pliant.report.sections.motions import Components
@@ -116,6 +116,7 @@ def test_domains_are_listed_with_how_often_they_are_found(analysis):
     assert (
         verdict.sentence == "2 domains, each found in at least 94 % of 50 resamples of the frames."
     )
+    assert KNOWN in verdict.details
     assert values["domain_table"][1]["share"] == 0.94 and values["hinges"][0]["share"] == 0.8
     json.dumps(values["hinges"])
     none = np.full(count, LOOSE)

@@ -11,14 +11,14 @@ from pathlib import Path
 
 import numpy as np
 
+import pliant
 from pliant._core import Error, MolecularModel
 from pliant.lab.pairs.agreement import agreement, contradicted, found
 from pliant.lab.pairs.directions import DOMAIN, Direction, Judge, directions_of
-from pliant.lab.pairs.ensembles import sampled
 from pliant.lab.pairs.pair_domains import pair_domains
 from pliant.lab.pool import each_done
 from pliant.lab.results import Cell, Results, print_table
-from pliant.lab.structures import protein_model, trace_of
+from pliant.lab.structures import protein_model, quiet, trace_of
 from pliant.measure.domains import Domains, find_domains
 from pliant.report.sections.domains import MOST_DOMAIN_SITES
 from pliant.trajectory.superposition import superpose_all
@@ -37,11 +37,6 @@ class Row:
     agreement: float = math.nan  #: with these, mean of the seeds that report two or more
     worst: float = math.nan  #: of these seeds
     found: list[int] = field(default_factory=list)  #: seeds that report each domain of the pair
-
-    @property
-    def is_shown(self) -> bool:
-        """Whether more than half of the seeds report two domains or more."""
-        return 2 * sum(number > 1 for number in self.numbers) > len(self.numbers)
 
 
 COLUMNS: dict[str, Cell] = {
@@ -69,7 +64,7 @@ class Table(Results):
         print(
             "domains by seed: how many are reported, 1 for one piece, 0 for none that repeat;\n"
             "contradicted: pairs of residues, in one domain by one seed and in two by another;\n"
-            "agreement: share of the residues reported that are in the matching domain of the pair"
+            "agreement: share of the pairs of residues that are together, or apart, as in the pair"
         )
         print_table(self.rows, COLUMNS)
         if self.rows:
@@ -79,18 +74,20 @@ class Table(Results):
 
 
 def _together(rows: list[Row]) -> str:
-    proteins = {row.protein for row in rows if row.pair}
-    shown = {row.protein for row in rows if row.pair and row.is_shown}
-    agreed = [row.agreement for row in rows if math.isfinite(row.agreement)]
-    mean = f"; mean agreement {np.mean(agreed):.3f}" if agreed else ""
+    paired = [row for row in rows if row.pair]
+    answers = [number > 1 for row in paired for number in row.numbers]
+    agreed = [row.agreement for row in paired if math.isfinite(row.agreement)]
+    mean = f", mean agreement {np.mean(agreed):.3f}" if agreed else ""
+    shown = f"several domains in {sum(answers)} of {len(answers)} ensembles"
+    proteins = len({row.protein for row in paired})
     pairs = sum(row.contradicted for row in rows)
-    return f"shown for {len(shown)} of {len(proteins)} proteins{mean}; {pairs} pairs contradicted"
+    return f"{shown} of {proteins} proteins{mean}; {pairs} pairs contradicted"
 
 
 def domains(
     folder: str | Path,
     seeds: int = 10,
-    frames: int = 200,
+    frames: int = 400,
     also: Sequence[str] = (),
     *,
     processes: int = 1,
@@ -135,10 +132,13 @@ def _row(direction: Direction, seeds: int, frames: int) -> Row:
 
 def _domains(model: MolecularModel, trace: np.ndarray, frames: int, seed: int) -> np.ndarray:
     """(n,) domain of each residue, as pliant analyse reports it."""
-    positions = superpose_all(sampled(model, frames, seed)[:, trace])
+    with quiet():
+        made = pliant.sample(model, frames, sampler="reach", near_frames=frames // 2, seed=seed)
     stride = -(-len(trace) // MOST_DOMAIN_SITES)
+    positions = np.asarray(made.positions)[:, trace[::stride]]
+    near, far = (superpose_all(some) for some in np.split(positions, [frames // 2]))
     chains = np.unique(np.asarray(model.structure.chains)[trace], return_inverse=True)[1]
-    found: Domains = find_domains(positions[:, ::stride], chains[::stride])
+    found: Domains = find_domains(near, chains[::stride], far=far)
     return np.repeat(found.domain, stride)[: len(trace)]
 
 

@@ -10,14 +10,7 @@ import numpy as np
 from scipy.cluster.hierarchy import fcluster, linkage
 from scipy.spatial.distance import squareform
 
-from pliant.measure.domains.splits import (
-    Frames,
-    Sample,
-    least_sites,
-    left_over,
-    left_within,
-    rigid_bodies,
-)
+from pliant.measure.domains.splits import LEAST_SITES, Frames, Sample, rigid_bodies
 
 #: sites are of one domain if they are in one in this share of the resamples ...
 TOGETHER = 0.9
@@ -68,26 +61,30 @@ class Domains:
 
 
 def find_domains(
-    positions: np.ndarray, chains: np.ndarray, blocks: list[np.ndarray] | None = None
+    positions: np.ndarray,
+    chains: np.ndarray,
+    blocks: list[np.ndarray] | None = None,
+    far: np.ndarray | None = None,
 ) -> Domains:
     """Domains and hinges of sites, one a residue, in the order of their chains.
 
     positions: (F, n, 3) superposed, Angstrom; chains: (n,), equal where sites are of one chain;
     blocks: arrays of frame numbers that are independent of each other, by default BLOCKS equal
-    ones. RESAMPLES times as many blocks as there are, drawn with replacement, are split into rigid
-    bodies (`rigid_bodies`); always the same draws. A domain is a set of sites of which each two are
-    in one body in TOGETHER of the resamples, and which is a body in LEAST_FOUND of them; two
-    domains are in one body in at most APART. What is neither is `undecided`, and no domain.
+    ones; far: (F', n, 3) superposed frames of the same sites that reach further, which no split may
+    contradict. RESAMPLES times as many blocks as there are, drawn with replacement, are split into
+    rigid bodies (`rigid_bodies`); always the same draws. A domain is a set of sites of which each
+    two are in one body in TOGETHER of the resamples, and which is a body in LEAST_FOUND of them;
+    two domains are in one body in at most APART. What is neither is `undecided`, and no domain.
     """
     if blocks is None:
         blocks = np.array_split(np.arange(len(positions)), min(BLOCKS, len(positions)))
-    step = -(-len(positions) // MOST_FRAMES)
-    frames = Frames(
-        positions, chains, [block[:: max(1, min(step, len(block)))] for block in blocks]
-    )
+    frames = _thinned(positions, chains, blocks)
+    reached = None
+    if far is not None and len(far):
+        reached = _thinned(far, chains, [np.arange(len(far))]).sample(np.ones(1))
     random = np.random.default_rng(0)
     times = random.multinomial(len(blocks), np.full(len(blocks), 1 / len(blocks)), RESAMPLES)
-    bodies = np.array([rigid_bodies(frames.sample(row)) for row in times])
+    bodies = np.array([rigid_bodies(frames.sample(row), reached) for row in times])
     together = _together(bodies)
     domain, undecided = _agreed(bodies, together)
     hinge_share = _hinge_share(bodies, chains)
@@ -101,6 +98,11 @@ def find_domains(
         hinge_share,
         undecided,
     )
+
+
+def _thinned(positions: np.ndarray, chains: np.ndarray, blocks: list[np.ndarray]) -> Frames:
+    step = -(-len(positions) // MOST_FRAMES)
+    return Frames(positions, chains, [block[:: max(1, min(step, len(block)))] for block in blocks])
 
 
 def _together(bodies: np.ndarray) -> np.ndarray:
@@ -119,7 +121,8 @@ def _agreed(
     tree = linkage(squareform(1.0 - together, checks=False), "complete")
     names = fcluster(tree, 1.0 - TOGETHER + 1e-6, "distance")
     groups = [np.flatnonzero(names == name) for name in np.unique(names)]
-    groups = [group for group in groups if len(group) >= least_sites(sites)]
+    least = SAME * min(LEAST_SITES, sites)  # resamples agree on less than each of them has
+    groups = [group for group in groups if len(group) >= least]
     groups.sort(key=lambda group: (-len(group), group[0]))
     kept: list[np.ndarray] = []
     undecided = []
@@ -155,10 +158,8 @@ def _explained(sample: Sample, domain: np.ndarray) -> float:
     """Share of the fluctuation that domains explain; of loose sites nothing is."""
     if domain.max() < 1:
         return 0.0
-    own = left_over(sample, np.arange(len(domain)))
-    left = own[domain == LOOSE].sum()
-    left += sum(left_within(sample, np.flatnonzero(domain == k)) for k in range(domain.max() + 1))
-    return float(1.0 - left / own.sum())
+    followed = sum(sample.followed(domain == k)[0, 0] for k in range(domain.max() + 1))
+    return float(1.0 - (np.sum(sample.moves**2) - followed) / sample.left())
 
 
 def _hinge_share(bodies: np.ndarray, chains: np.ndarray) -> np.ndarray:

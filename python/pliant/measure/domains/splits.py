@@ -1,42 +1,53 @@
 # SPDX-License-Identifier: MIT
-"""A molecule split into rigid bodies by how it moves: once, for one weighting of the frames.
+"""A molecule split into rigid bodies by how it moves and where it hangs together little: once, for
+one weighting of the frames.
 
-A set of sites is split in two where the halves move against each other about as far as they deform
-themselves: with V the mean square fluctuation that is left within a set when its best rigid motion
-is taken out, the split of A into B and C counts if
+With V the mean square fluctuation that is left within a set of sites when its best rigid motion is
+taken out, and C its contacts, A is split into the B and C (any stretches of its chains) for which
 
-    (V_A - V_B - V_C) / (V_B + V_C) >= LEAST_RATIO^2,
+    (V_A - V_B - V_C) / V_A  -  CONTACTS C_between / C_A
 
-which is the criterion of DynDom (S. Hayward, H. Berendsen, Proteins 30 (1998) 144), there between
-two structures and with 1. It looks at A alone: a domain that moves little beside one that moves
-much is found as well. Rigid motions are to first order, turns and shifts of the mean structure.
+is largest. The first term alone is the criterion of DynDom (S. Hayward, H. Berendsen, Proteins 30
+(1998) 144), there between two structures; but an elastic body can bend nearly as well at other
+places as at its hinge, and a hinge is where few contacts hold. Both look at A alone: a domain that
+moves little beside one that moves much is found as well. Rigid motions are to first order, turns
+and shifts of the mean structure.
 """
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.cluster.hierarchy import linkage
-from scipy.spatial.distance import pdist, squareform
+from scipy.spatial import cKDTree
 
-from pliant._core import left_by_rigid_motion
-from pliant.measure.domains.stretches import over_neighbours, whole_ends, without_short_stretches
+from pliant._core import followed_rigidly
 
-#: the halves of a split must move against each other by so much of what they deform (r.m.s.)
-LEAST_RATIO = 0.9
-#: a split must explain so much of the fluctuation of all sites: pieces of pieces are no domains
-LEAST_GAIN = 0.04
-#: a domain has at least so many sites, and this share of all
-LEAST_SITES = 20
-LEAST_SHARE = 0.05
+#: what a share of contacts weighs against the same share of the fluctuation
+CONTACTS = 2.0
+#: a molecule is split where the difference is so large, ...
+LEAST_SCORE = 1 / 3
+#: ... and a part of it where it is so large: pieces of pieces are seldom domains
+LEAST_SCORE_OF_PART = 0.5
+#: a split must explain so much of the fluctuation of all sites, near the start and farther off
+LEAST_GAIN = 0.06
+#: a domain has at least so many sites; smaller are loops
+LEAST_SITES = 30
+#: one more stretch goes to the other side where the score becomes so much larger
+LEAST_RISE = 0.03
+#: sites (Angstrom) that touch, and those of a chain so much apart in it
+CONTACT = 8.0
+APART_IN_CHAIN = 3
 
+#: motions that a set of frames is reduced to
+_MOTIONS = 20
+#: stretches end at about so many places at first
+_PLACES = 48
+_LEAST_STRETCH = 5
 _MOST_ROUNDS = 6
 
-
-def least_sites(sites: int) -> int:
-    """Sites of the smallest domain of a molecule of so many."""
-    return max(LEAST_SITES, int(LEAST_SHARE * sites))
+_NONE = np.zeros((1, 2), dtype=np.int64)  # a stretch without sites
 
 
 @dataclass(frozen=True)
@@ -44,21 +55,31 @@ class Sample:
     """Frames of n sites with weights, as a split needs them."""
 
     mean: np.ndarray  #: (n, 3) Angstrom
-    moves: np.ndarray  #: (3n, F) from there
-    weights: np.ndarray  #: (F,) of the frames; they sum to 1
-    changes: np.ndarray  #: (n, n) standard deviation of the distance of each two sites
+    moves: np.ndarray  #: (n, 3, m) along independent motions; their squares are mean squares
+    contacts: np.ndarray  #: (c, 2) sites that touch
     chains: np.ndarray  #: (n,) equal where sites are of one chain
 
     def of(self, sites: np.ndarray) -> Sample:
-        """The same of some sites, in their order; a gap between them ends a chain."""
-        if len(sites) == len(self.mean):
-            return self
-        moves = self.moves.reshape(len(self.mean), 3, -1)[sites].reshape(3 * len(sites), -1)
-        changes = self.changes[np.ix_(sites, sites)]
-        chains = self.chains[sites]
-        ends = (np.diff(sites) > 1) | (chains[1:] != chains[:-1])
-        stretches = np.cumsum(np.append(False, ends))
-        return Sample(self.mean[sites], moves, self.weights, changes, stretches)
+        """The same of some sites, in their order."""
+        place = np.full(len(self.mean), -1)
+        place[sites] = np.arange(len(sites))
+        contacts = place[self.contacts]
+        contacts = contacts[(contacts >= 0).all(axis=1)]
+        return Sample(self.mean[sites], self.moves[sites], contacts, self.chains[sites])
+
+    def followed(self, body: np.ndarray, stretches: np.ndarray = _NONE) -> np.ndarray:
+        """(s, 2) of the squares of the moves: what the sites of a body (n, bool) follow as one
+        rigid body, and all others as another, once those of a stretch have changed sides."""
+        return followed_rigidly(self.mean, self.moves, body, stretches)
+
+    def left(self) -> float:
+        """Sum of the mean square fluctuations of the sites when all follow one rigid motion."""
+        none = np.zeros(len(self.mean), dtype=bool)
+        return float(np.sum(self.moves**2) - self.followed(none).sum())
+
+    def gain(self, body: np.ndarray) -> float:
+        """How much less is left if a body and the others follow each their own."""
+        return self.left() - float(np.sum(self.moves**2) - self.followed(body).sum())
 
 
 class Frames:
@@ -71,133 +92,161 @@ class Frames:
         sizes = [len(block) for block in blocks]
         chosen = positions[np.concatenate(blocks)]
         self._mean = chosen.mean(axis=0)
-        flat = (chosen - self._mean).reshape(len(chosen), -1).astype(np.float32)
-        self._flat = np.ascontiguousarray(flat.T)
         self._chains, self._sizes = chains, np.array(sizes)
         self._block = np.repeat(np.arange(len(blocks)), sizes)
-        at_mean = pdist(self._mean)
-        first = np.zeros((len(blocks), len(at_mean)), dtype=np.float32)
-        second = np.zeros_like(first)
-        for k, frame in zip(self._block, chosen, strict=True):
-            change = pdist(frame) - at_mean
-            first[k] += change
-            second[k] += change * change
-        self._sums = first, second
+        flat = (chosen - self._mean).reshape(len(chosen), -1)
+        squares, vectors = np.linalg.eigh(flat @ flat.T)
+        kept = (squares > 1e-9 * max(squares[-1], 1e-9)) & (np.arange(len(flat))[::-1] < _MOTIONS)
+        self._along = vectors[:, kept] * np.sqrt(squares[kept])  # (F, m) places along the motions
+        self._motions = flat.T @ (vectors[:, kept] / np.sqrt(squares[kept]))  # (3n, m)
+        self._contacts = _contacts(self._mean, chains)
 
     def sample(self, times: np.ndarray) -> Sample:
         """Each block as many times as `times` (B,) says."""
-        part = (times / (times @ self._sizes)).astype(np.float32)
-        used = np.flatnonzero(part[self._block])
-        flat, weights = np.take(self._flat, used, axis=1), part[self._block[used]]
-        shift = flat @ weights
-        first, second = (part @ sums for sums in self._sums)
-        changes = squareform(np.sqrt(np.maximum(second - first * first, 0.0)))
-        mean = self._mean + shift.reshape(-1, 3)
-        return Sample(mean, flat - shift[:, None], weights, changes, self._chains)
+        weights = (times / (times @ self._sizes))[self._block]
+        around = (self._along - weights @ self._along) * np.sqrt(weights)[:, None]
+        _, spread, turned = np.linalg.svd(around, full_matrices=False)
+        moves = self._motions @ (turned.T * spread)
+        return Sample(
+            self._mean, moves.reshape(len(self._mean), 3, -1), self._contacts, self._chains
+        )
 
 
-def rigid_bodies(sample: Sample) -> np.ndarray:
-    """(n,) the body of each site, from 0 by size."""
+def _contacts(mean: np.ndarray, chains: np.ndarray) -> np.ndarray:
+    pairs = cKDTree(mean).query_pairs(CONTACT, output_type="ndarray").astype(np.int64)
+    first, second = pairs.T
+    apart = (chains[first] != chains[second]) | (second - first >= APART_IN_CHAIN)
+    return np.asarray(pairs[apart])
+
+
+def rigid_bodies(sample: Sample, far: Sample | None = None) -> np.ndarray:
+    """(n,) the body of each site, from 0 by size; far: of frames that reach further."""
     sites = len(sample.mean)
     to_split, bodies = [np.arange(sites)], []
-    least_gain = LEAST_GAIN * left_within(sample, to_split[0])
+    seen = [one for one in (sample, far) if one is not None]
+    least_gains = [LEAST_GAIN * one.left() for one in seen]
     while to_split:
         whole = to_split.pop()
-        halves = _split(sample, whole, least_gain)
-        to_split += halves
-        if not halves:
+        parts = [one.of(whole) for one in seen]
+        halves = _halves(parts[0], least_gains[0], len(whole) == sites)
+        if halves is None or any(
+            part.gain(halves) < least for part, least in zip(parts, least_gains, strict=True)
+        ):
             bodies.append(whole)
+        else:
+            to_split += [whole[halves], whole[~halves]]
+    _settle(sample, bodies)
     body = np.empty(sites, dtype=np.int64)
     for k, one in enumerate(sorted(bodies, key=lambda one: (-len(one), one[0]))):
         body[one] = k
     return body
 
 
-def _split(sample: Sample, whole: np.ndarray, least_gain: float) -> list[np.ndarray]:
-    """Two bodies of a set of sites, or three; none if they move too little against each other."""
-    least = least_sites(len(sample.mean))
-    if len(whole) < 2 * least:
-        return []
-    part = sample.of(whole)
-    within = left_within(part, np.arange(len(whole)))
-    if within < least_gain or within <= 0:
-        return []
-    tree = linkage(squareform(part.changes, checks=False), "average")
-    best: list[np.ndarray] = []
-    for count in (2, 3):  # of three in a row, two halves would share out the one between
-        first = _first_parts(tree, count, least)
-        if best and not _explained(part, first, within, least_gain):
+def _settle(sample: Sample, bodies: list[np.ndarray]) -> None:
+    """Moves the boundaries of each two bodies of three or more: of three in a row, the first split
+    goes through the one between."""
+    pairs = list(itertools.combinations(range(len(bodies)), 2)) if len(bodies) > 2 else []
+    for _ in range(_MOST_ROUNDS):
+        settled = True
+        for one, other in pairs:
+            whole = np.sort(np.concatenate([bodies[one], bodies[other]]))
+            halves = _Halves(sample.of(whole), np.isin(whole, bodies[one]))
+            if halves.move_boundaries():
+                bodies[one], bodies[other] = whole[halves.is_one], whole[~halves.is_one]
+                settled = False
+        if settled:
             break
-        bodies = _bodies(part, first, least)
-        if not _explained(part, bodies, within, least_gain):
-            break
-        best = bodies
-        within = sum(left_within(part, one) for one in best)
-    return [whole[one] for one in best]
 
 
-def _explained(sample: Sample, bodies: list[np.ndarray], within: float, least_gain: float) -> bool:
-    """Whether bodies explain enough of the fluctuation that was left without them."""
-    left = sum(left_within(sample, one) for one in bodies)
-    return len(bodies) > 1 and within - left >= max(LEAST_RATIO**2 * left, least_gain)
+def _halves(part: Sample, least_gain: float, is_whole: bool) -> np.ndarray | None:
+    """(n, bool) the best split of a set of sites; None if it is not good enough."""
+    sites = len(part.mean)
+    if sites < 2 * LEAST_SITES or part.left() <= least_gain:
+        return None
+    halves = _Halves(part, np.zeros(sites, dtype=bool))
+    stretches = _stretches(part.chains)
+    while halves.change(stretches, LEAST_RISE):
+        halves.move_boundaries()
+    least = LEAST_SCORE if is_whole else LEAST_SCORE_OF_PART
+    return halves.is_one if halves.score >= least else None
 
 
-def _bodies(sample: Sample, first: list[np.ndarray], least: int) -> list[np.ndarray]:
-    """Bodies of all sites, from a first guess: each site to the body whose motion it follows best,
-    it and its neighbours along the chain; none where one of them dwindles."""
-    body = np.full(len(sample.mean), -1)
-    for k, one in enumerate(first):
-        body[one] = k
-    for _ in range(_MOST_ROUNDS if len(first) > 1 else 0):
-        off = [
-            over_neighbours(left_over(sample, np.flatnonzero(body == k)), sample.chains)
-            for k in range(len(first))
-        ]
-        better = without_short_stretches(np.argmin(off, axis=0), sample.chains)
-        better = whole_ends(better, sample.chains)
-        if np.bincount(better, minlength=len(first)).min() < least:
-            return []
-        if np.array_equal(better, body):
-            break
-        body = better
-    return [np.flatnonzero(body == k) for k in range(len(first))]
+def _stretches(chains: np.ndarray) -> np.ndarray:
+    """(s, 2) stretches between places along the chains."""
+    ends = np.flatnonzero(chains[1:] != chains[:-1]) + 1
+    even = np.linspace(0, len(chains), min(_PLACES, len(chains)) + 1).astype(np.int64)
+    places = np.union1d(even, ends)
+    pairs = places[np.stack(np.triu_indices(len(places), 1), axis=1)]
+    lengths = pairs[:, 1] - pairs[:, 0]
+    return pairs[(lengths >= _LEAST_STRETCH) & (lengths < len(chains))]
 
 
-def _first_parts(tree: np.ndarray, count: int, least: int) -> list[np.ndarray]:
-    """The highest parts of the tree with `least` sites and more, so many; none if there are fewer.
-    Smaller branches are set aside."""
-    sites = len(tree) + 1
-    sizes = np.concatenate([np.ones(sites), tree[:, 3]])
-    branches = tree[:, :2].astype(int).tolist()
-    nodes: list[int] = [2 * sites - 2]
-    kept: list[int] = []  # no part of theirs is large enough
-    while nodes and len(nodes) + len(kept) < count:
-        node = nodes.pop(nodes.index(max(nodes)))  # the highest of the tree
-        below = [k for k in branches[node - sites] if sizes[k] >= least]
-        nodes += below
-        if not below:
-            kept.append(node)
-    parts = [np.sort(_leaves(branches, node)) for node in (*nodes, *kept)]
-    return parts if len(parts) == count else []
+def _beside(is_one: np.ndarray) -> np.ndarray:
+    """(s, 2) stretches beside each boundary."""
+    edges = np.flatnonzero(is_one[1:] != is_one[:-1])[:, None] + 1
+    lengths = np.arange(1, LEAST_SITES // 2 + 1)
+    before = np.stack(np.broadcast_arrays(edges - lengths, edges), axis=-1)
+    after = np.stack(np.broadcast_arrays(edges, edges + lengths), axis=-1)
+    both = np.concatenate([before, after]).reshape(-1, 2)
+    return both[(both >= 0).all(axis=1) & (both <= len(is_one)).all(axis=1)]
 
 
-def _leaves(branches: list[list[int]], node: int) -> list[int]:
-    found, below, count = [], [node], len(branches) + 1
-    while below:
-        one = below.pop()
-        if one < count:
-            found.append(one)
-        else:
-            below += branches[one - count]
-    return found
+class _Halves:
+    """Two halves of a set of sites, which stretches of the chains are moved between."""
 
+    def __init__(self, part: Sample, is_one: np.ndarray) -> None:
+        self._part, self.is_one = part, is_one
+        self._left, self._squares = part.left(), float(np.sum(part.moves**2))
+        self.score = float(self._scores(_NONE)[0]) if is_one.any() else -np.inf
 
-def left_within(sample: Sample, body: np.ndarray) -> float:
-    """Sum of the mean square fluctuations of the sites of a body within it."""
-    return float(left_over(sample, body)[body].sum())
+    def change(self, stretches: np.ndarray, least_rise: float) -> bool:
+        """Moves the stretch that makes the score largest; False where none raises it so much."""
+        stretches = stretches[self._leaves_enough(stretches)]
+        if len(stretches) == 0:
+            return False
+        scores = self._scores(stretches)
+        best = int(np.argmax(scores))
+        if scores[best] <= self.score + least_rise:
+            return False
+        first, end = stretches[best]
+        self.is_one[first:end] = ~self.is_one[first:end]
+        self.score = float(scores[best])
+        return True
 
+    def move_boundaries(self) -> bool:
+        """By some sites at a time, while that raises the score; False where it does not."""
+        moved = False
+        while self.change(_beside(self.is_one), 1e-9):
+            moved = True
+        return moved
 
-def left_over(sample: Sample, body: np.ndarray) -> np.ndarray:
-    """(n,) mean square fluctuation of every site that is left when all follow the rigid motion
-    that fits a body best (least squares)."""
-    return left_by_rigid_motion(sample.mean, sample.moves, sample.weights, body)
+    def _scores(self, stretches: np.ndarray) -> np.ndarray:
+        """(s,) of the halves once a stretch has changed sides."""
+        left = self._squares - self._part.followed(self.is_one, stretches).sum(axis=1)
+        cut = self._cut(stretches) / max(len(self._part.contacts), 1)
+        return np.asarray(1.0 - left / self._left - CONTACTS * cut)
+
+    def _leaves_enough(self, stretches: np.ndarray) -> np.ndarray:
+        """(s, bool) whether both halves have enough sites then."""
+        before = np.append(0, np.cumsum(np.where(self.is_one, -1, 1)))
+        size = np.count_nonzero(self.is_one) + before[stretches[:, 1]] - before[stretches[:, 0]]
+        return np.asarray((size >= LEAST_SITES) & (len(self.is_one) - size >= LEAST_SITES))
+
+    def _cut(self, stretches: np.ndarray) -> np.ndarray:
+        """(s,) contacts between the halves then.
+
+        Of the contacts with one end in a stretch, those that were between no longer are, and those
+        that were not are: sums over squares of a table of them by the stretches' ends.
+        """
+        first, second = self._part.contacts.T
+        sign = np.where(self.is_one[first] == self.is_one[second], 1.0, -1.0)
+        ends = np.unique(stretches)
+        count = len(ends) + 1
+        rows, columns = (np.searchsorted(ends, one, "right") for one in (first, second))
+        table = np.bincount(rows * count + columns, sign, count * count).reshape(count, count)
+        sums = np.zeros((count + 1, count + 1))
+        sums[1:, 1:] = (table + table.T).cumsum(axis=0).cumsum(axis=1)
+        low, high = np.searchsorted(ends, stretches).T + 1
+        within = sums[high, high] - sums[low, high] - sums[high, low] + sums[low, low]
+        crossing = sums[high, -1] - sums[low, -1] - within
+        return np.asarray(np.count_nonzero(sign < 0) + crossing)

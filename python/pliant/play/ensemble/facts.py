@@ -135,8 +135,8 @@ def _domains(analysis: Analysis, chosen: np.ndarray) -> dict[str, Any]:
         return {"noDomains": "domains are looked for in chains of 20 residues or more that move"}
     found = analysis[RigidDomains].found
     if found.count < 2:
-        why = "none is reproducible" if found.count == 0 else "all of it moves as one piece"
-        return {"noDomains": f"no domains: {why}"}
+        one = "all of it moves as one piece"
+        return {"noDomains": one if found.count else "no reproducible domains were found"}
     of_unit, units = analysis[RigidDomains].of_unit, analysis[Units]
     of_joint = _of_joints(analysis, of_unit)
     names = [named_stretches(analysis, of_unit == k) for k in range(found.count)]

@@ -31,6 +31,7 @@ from pliant.report.sections.domains import LEAST_CHAIN, RigidDomains, domains, d
 from pliant.report.sections.headings import FLEXIBLE
 from pliant.report.sections.measured import Measured, caption, has, why_skipped
 from pliant.report.sections.motions import Components
+from pliant.trajectory.frame_store import FrameStore
 from pliant.trajectory.kind import ENSEMBLE, PATH, TRANSITION
 from pliant.trajectory.superposition import superpose_frames
 
@@ -62,14 +63,21 @@ def measure(analysis: Analysis) -> Iterator[Part]:
     if len(analysis.frames if near is None else analysis.frames[near]) < 4:
         raise ValueError("it needs at least 4 frames")
     units, blocks = analysis[Units], _frame_blocks(analysis)
-    chosen = np.unique(np.concatenate([units.atoms, analysis.fitted.ix]))
-    moved = analysis.stored_positions(chosen, near)
-    superpose_frames(moved, np.searchsorted(chosen, analysis.fitted.ix))
-    moved = moved.of_atoms(np.searchsorted(chosen, units.atoms))
+    moved = _superposed(analysis, near)
     found = flexibility(moved, units.unit, blocks)
     yield UnitFlexibility(found, _b_estimate(analysis))
     if len(units.labels) >= 4 and not found.still:
-        yield from domains(analysis, moved, blocks)
+        far = None if near is None else _superposed(analysis, ~near)
+        yield from domains(analysis, moved, blocks, far)
+
+
+def _superposed(analysis: Analysis, some: np.ndarray | None) -> FrameStore:
+    """The atoms of the units in some frames (F, bool), or all, once these are superposed."""
+    atoms = analysis[Units].atoms
+    chosen = np.unique(np.concatenate([atoms, analysis.fitted.ix]))
+    moved = analysis.stored_positions(chosen, some)
+    superpose_frames(moved, np.searchsorted(chosen, analysis.fitted.ix))
+    return moved.of_atoms(np.searchsorted(chosen, atoms))
 
 
 def _frame_blocks(analysis: Analysis) -> list[np.ndarray]:
