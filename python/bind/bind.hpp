@@ -15,6 +15,7 @@ using namespace nb::literals;
 
 void bind_base(nb::module_& module);
 void bind_conformers(nb::module_& module);
+void bind_density_map(nb::module_& module);
 void bind_framework(nb::module_& module);
 void bind_generate(nb::module_& module);
 void bind_guide(nb::module_& module);

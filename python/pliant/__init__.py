@@ -14,6 +14,7 @@ from pliant import _core
 # What the package, its laboratory and its tests call: not promised, and not in dir().
 from pliant._core import *  # noqa: F403
 from pliant._core import (
+    DensityMap,
     Error,
     FileError,
     Frame,
@@ -86,6 +87,7 @@ __all__ = [
     "CheckReport",
     "ComparisonReport",
     "Conformers",
+    "DensityMap",
     "Error",
     "FileError",
     "Frame",

@@ -27,6 +27,7 @@ MAY_INCLUDE = {
     "conformers": ("base", "framework", "rigidity", "resolve"),
     "sample": ("base", "framework", "rigidity", "resolve", "conformers"),
     "run": ("base", "framework", "order", "resolve", "perturb"),
+    "fit": ("base", "text", "measure"),
     "path": ("base", "framework", "molecule", "model", "resolve", "perturb", "sample", "run"),
     "record": ("base", "text", "framework"),
     "jobs": (
@@ -63,6 +64,7 @@ WINGS = {
     "resolve/bodies": ("tree", "near", "pull", "outward", "region"),
     "conformers": ("rings", "torsions", "strain", "choice"),
     "sample": ("network", "turns", "pocket"),
+    "fit": ("map",),
     "jobs": ("asked", "files"),
     "lab": ("examples", "generate", "test_sets"),
     "record": ("hdf5", "h5md", "xml"),
