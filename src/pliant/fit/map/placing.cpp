@@ -8,14 +8,29 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/fit/map/blurred.hpp"
+#include "pliant/fit/map/simulated.hpp"
 #include "pliant/fit/map/spread_rotations.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr std::size_t rotation_count = 2000, most_centers = 30;
-constexpr std::size_t most_searched = 300, most_climbed = 2000;  ///< atoms
-constexpr std::size_t coarse_climbs = 40, fine_climbs = 8;
+constexpr std::size_t rotation_count = 1000, most_centers = 60;
+constexpr std::size_t most_searched = 150, most_climbed = 2000;  ///< points
+constexpr std::size_t climbs_per_center = 6, fine_climbs = 30;
+
+/// A place of a body's center, its turn about that, and the density there.
+struct Trial {
+  double density;
+  Rotation turn;
+  Vec3 place;
+
+  /// Whether both lie below the same summit, as a rule: within 25 degrees and 5 Angstrom.
+  bool is_near(const Trial& other) const {
+    const double trace =
+        dot(turn.x, other.turn.x) + dot(turn.y, other.turn.y) + dot(turn.z, other.turn.z);
+    return trace > 2.81 && distance(place, other.place) < 5.0;
+  }
+};
 
 /// A rigid body about its center: weights have the sum 1.
 class Body {
@@ -38,6 +53,14 @@ class Body {
     size_ = std::sqrt(squares);
   }
 
+  /// Lets density at `points`, where the body is not, count against it, as much as its own for it.
+  void shun(std::span<const Vec3> points) {
+    for (const Vec3 point : points) {
+      arms_.push_back(point - center_);
+      weights_.push_back(-1.0 / static_cast<double>(points.size()));
+    }
+  }
+
   /// Radius of gyration, Angstrom.
   double size() const { return size_; }
 
@@ -53,10 +76,11 @@ class Body {
     return sum;
   }
 
-  Placing climb(const DensityMap& map, Rotation turn, Vec3 place) const;
-  Placing climb(const DensityMap& map, const RigidMotion& start) const {
-    return climb(map, start.rotation, start(center_));
+  Trial climb(const DensityMap& map, Trial trial) const;
+  Placing placing(const Trial& trial) const {
+    return {motion_to(trial.turn, trial.place), trial.density};
   }
+  Trial trial(const RigidMotion& motion) const { return {0.0, motion.rotation, motion(center_)}; }
 
  private:
   /// The density, and how it grows with a shift and a turn.
@@ -86,9 +110,9 @@ Body::Slope Body::slope(const DensityMap& map, const Rotation& turn, Vec3 place)
 }
 
 /// Steepest ascent whose steps grow while they succeed and are halved when they do not.
-Placing Body::climb(const DensityMap& map, Rotation turn, Vec3 place) const {
+Trial Body::climb(const DensityMap& map, Trial trial) const {
   constexpr double longest = 2.0, shortest = 0.003;  // Angstrom
-  Slope here = slope(map, turn, place);
+  Slope here = slope(map, trial.turn, trial.place);
   double step = longest;
   for (int steps = 0; steps < 500 && step > shortest; ++steps) {
     const Vec3 spin = (1.0 / (size_ * size_)) * here.torque;
@@ -96,15 +120,35 @@ Placing Body::climb(const DensityMap& map, Rotation turn, Vec3 place) const {
     if (!(length > 0.0)) break;
     const Vec3 turned = (step / length) * spin;
     const double angle = norm(turned);
-    const Rotation next_turn =
-        angle > 0.0 ? product(turn_about((1.0 / angle) * turned, 0.5 * angle), turn) : turn;
-    const Vec3 next_place = place + (step / length) * here.force;
-    const Slope next = slope(map, next_turn, next_place);
-    step = next.density > here.density ? std::min(1.5 * step, longest) : 0.5 * step;
-    if (next.density > here.density)
-      std::tie(here, turn, place) = std::tie(next, next_turn, next_place);
+    Trial next{0.0, trial.turn, trial.place + (step / length) * here.force};
+    if (angle > 0.0)
+      next.turn = product(turn_about((1.0 / angle) * turned, 0.5 * angle), trial.turn);
+    const Slope there = slope(map, next.turn, next.place);
+    const bool is_higher = there.density > here.density;
+    step = is_higher ? std::min(1.5 * step, longest) : 0.5 * step;
+    if (is_higher) std::tie(here, trial) = std::tie(there, next);
   }
-  return {motion_to(turn, place), here.density};
+  trial.density = here.density;
+  return trial;
+}
+
+/// Points, at most `most`, about a resolution away from the nearest position: where a molecule
+/// ends. Without them each molecule would be drawn into the midst of the largest one.
+std::vector<Vec3> shell_of(std::span<const Vec3> positions, double resolution, std::size_t most) {
+  const MapGrid grid = grid_around(positions, 2.0 * resolution, 0.5 * resolution);
+  const PlacesOnGrid places(grid);
+  Mask shell(grid.size(), 0);
+  for (const auto& [radius, value] : {std::pair{1.25, 1}, std::pair{0.75, 0}})
+    for (const Vec3 position : positions)
+      for_each_point_near(grid, places, position, radius * resolution,
+                          [&shell, value = value](std::size_t point, double) {
+                            shell[point] = static_cast<std::uint8_t>(value);
+                          });
+  std::vector<Vec3> all, some;
+  for (std::size_t point = 0; point < shell.size(); ++point)
+    if (shell[point] != 0) all.push_back(place_of(grid, point));
+  for (std::size_t k = 0; k < all.size(); k += 1 + (all.size() - 1) / most) some.push_back(all[k]);
+  return some;
 }
 
 /// The center of what is above the mean by a deviation or more.
@@ -122,7 +166,7 @@ Vec3 center_of(const DensityMap& map) {
   return sum > 0.0 ? (1.0 / sum) * moment : place_of(map.grid(), map.grid().size() / 2);
 }
 
-/// Points whose numbers along each axis are a stride apart, and whose value is above half of the
+/// Points whose numbers along each axis are a stride apart, and whose value is above 0.3 of the
 /// greatest.
 std::vector<Vec3> dense_places(const DensityMap& map, std::size_t stride, double greatest) {
   const MapGrid& grid = map.grid();
@@ -131,7 +175,7 @@ std::vector<Vec3> dense_places(const DensityMap& map, std::size_t stride, double
     for (std::size_t j = stride / 2; j < grid.count[1]; j += stride)
       for (std::size_t k = stride / 2; k < grid.count[2]; k += stride) {
         const std::size_t point = grid.points().at(i, j, k);
-        if (map.values()[point] > 0.5 * greatest) out.push_back(place_of(grid, point));
+        if (map.values()[point] > 0.3 * greatest) out.push_back(place_of(grid, point));
       }
   return out;
 }
@@ -150,20 +194,6 @@ std::vector<Vec3> tried_centers(const DensityMap& map, double apart) {
   return centers;
 }
 
-/// A place and a turn of a body, before it climbs.
-struct Trial {
-  double density;
-  Rotation turn;
-  Vec3 place;
-
-  /// Whether both would climb to the same summit, as a rule: 25 degrees and 5 Angstrom.
-  bool is_near(const Trial& other) const {
-    const double trace =
-        dot(turn.x, other.turn.x) + dot(turn.y, other.turn.y) + dot(turn.z, other.turn.z);
-    return trace > 2.81 && distance(place, other.place) < 5.0;
-  }
-};
-
 /// The `most` densest trials of which no two are near to each other.
 std::vector<Trial> best_trials(std::vector<Trial> trials, std::size_t most) {
   std::stable_sort(trials.begin(), trials.end(),
@@ -178,18 +208,25 @@ std::vector<Trial> best_trials(std::vector<Trial> trials, std::size_t most) {
   return best;
 }
 
+/// The densest trials about each center, so that none is left out for others in denser parts.
 std::vector<Trial> searched(const DensityMap& coarse, const Body& body) {
   const std::vector<Rotation> turns = spread_rotations(rotation_count);
-  std::vector<Trial> trials;
-  for (const Vec3 place : tried_centers(coarse, std::max(0.7 * body.size(), 4.0)))
+  std::vector<Trial> found;
+  for (const Vec3 place : tried_centers(coarse, std::max(0.7 * body.size(), 4.0))) {
+    std::vector<Trial> trials;
     for (const Rotation& turn : turns)
       trials.push_back({body.density(coarse, turn, place), turn, place});
-  return best_trials(std::move(trials), coarse_climbs);
+    trials = best_trials(std::move(trials), climbs_per_center);
+    found.insert(found.end(), trials.begin(), trials.end());
+  }
+  return found;
 }
 
-void sort_by_density(std::vector<Placing>& placings) {
-  std::stable_sort(placings.begin(), placings.end(),
-                   [](const Placing& a, const Placing& b) { return a.density > b.density; });
+/// The summits in a map that trials climb to, densest first, each once.
+std::vector<Trial> summits(const DensityMap& map, const Body& body, std::vector<Trial> trials,
+                           std::size_t most) {
+  for (Trial& trial : trials) trial = body.climb(map, trial);
+  return best_trials(std::move(trials), most);
 }
 
 void check_body(std::span<const Vec3> positions, std::span<const double> weights) {
@@ -211,21 +248,20 @@ Placing place_in_map(const DensityMap& map, std::span<const Vec3> positions,
                      std::span<const double> weights, double resolution) {
   check_body(positions, weights);
   const std::vector<DensityMap> maps = density_pyramid(map, resolution);
-  const Body sparse(positions, weights, most_searched), body(positions, weights, most_climbed);
-  std::vector<Placing> found;
-  for (const Trial& trial : searched(maps[0], sparse))
-    found.push_back(sparse.climb(maps[0], trial.turn, trial.place));
-  sort_by_density(found);
-  found.resize(std::min(found.size(), fine_climbs));
-  for (Placing& one : found) one = body.climb(maps[1], one.motion);
-  sort_by_density(found);
-  return found.front();
+  const Body body(positions, weights, most_climbed);
+  Body searching(positions, weights, most_searched);
+  searching.shun(shell_of(positions, resolution, most_searched));
+  std::vector<Trial> found = summits(maps[0], searching, searched(maps[0], searching), fine_climbs);
+  found = summits(maps[1], searching, std::move(found), 1);
+  const RigidMotion motion = searching.placing(found.front()).motion;
+  return body.placing(body.climb(maps[1], body.trial(motion)));
 }
 
 Placing climb_in_map(const DensityMap& map, std::span<const Vec3> positions,
                      std::span<const double> weights, const RigidMotion& start) {
   check_body(positions, weights);
-  return Body(positions, weights, most_climbed).climb(map, start);
+  const Body body(positions, weights, most_climbed);
+  return body.placing(body.climb(map, body.trial(start)));
 }
 
 }  // namespace pliant
