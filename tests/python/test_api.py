@@ -139,7 +139,8 @@ def documented_members(node):
             continue
         if not is_decorated(member, "setter"):
             doc = ast.get_docstring(member) or ""
-            yield f"{node.name}.{member.name}", doc, parameters_of(member)[1:]
+            is_bound = not is_decorated(member, "staticmethod")
+            yield f"{node.name}.{member.name}", doc, parameters_of(member)[is_bound:]
 
 
 def documented():

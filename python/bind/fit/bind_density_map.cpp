@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Density maps: files, values between points, and how well a molecule agrees with a map.
+// Density maps: files, values between points, and the map of a molecule.
 #include <nanobind/stl/filesystem.h>
 
 #include <array>
 
 #include "arrays.hpp"
+#include "fit/map_agreement.hpp"
 #include "molecule/structure.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/fit/map/agreement.hpp"
 #include "pliant/fit/map/blurred.hpp"
-#include "pliant/fit/map/placing.hpp"
 #include "pliant/fit/map/read_map.hpp"
 #include "pliant/fit/map/simulated.hpp"
-#include "pliant/fit/map/unexplained.hpp"
 #include "pliant/fit/map/write_map.hpp"
 
 namespace pliant::python {
@@ -20,31 +18,6 @@ namespace {
 
 using MapValues = nb::ndarray<nb::numpy, const float, nb::shape<-1, -1, -1>, nb::c_contig>;
 using GivenMap = nb::ndarray<const float, nb::shape<-1, -1, -1>, nb::c_contig, nb::device::cpu>;
-
-/// Atoms of a known element, by their atomic numbers.
-struct WeighedAtoms {
-  std::vector<Vec3> positions;
-  std::vector<double> weights;
-  std::vector<std::uint32_t> residue_of;
-};
-
-WeighedAtoms weighed_atoms(const Structure& structure) {
-  WeighedAtoms out;
-  for (std::size_t k = 0; k < structure.size(); ++k) {
-    const std::uint8_t element = structure.atoms.elements[k];
-    if (element == 0) continue;
-    out.positions.push_back(structure.positions[k]);
-    out.weights.push_back(element);
-    out.residue_of.push_back(structure.atoms.residue_of[k]);
-  }
-  if (out.positions.empty()) throw InputError("structure: no atom has a known element");
-  return out;
-}
-
-WeighedAtoms weighed_atoms(const nb::handle& structure) {
-  const nb::object given = structure_from(structure);
-  return weighed_atoms(nb::cast<const Structure&>(given));
-}
 
 std::array<double, 3> three_from(const ArrayLike& argument, const char* name) {
   const std::vector<double> given = reals_from(argument, name);
@@ -84,54 +57,6 @@ nb::tuple at_positions(const DensityMap& map, const ArrayLike& positions) {
   DensitiesAt found = map.at(positions_from(positions));
   return nb::make_tuple(array_of(std::move(found.values)),
                         new_positions(std::move(found.gradients)), found.outside);
-}
-
-double correlation_of(const DensityMap& map, const nb::handle& structure, double resolution,
-                      std::optional<double> radius) {
-  const WeighedAtoms atoms = weighed_atoms(structure);
-  const nb::gil_scoped_release no_gil;
-  return MapAgreement(map, atoms.positions, atoms.weights, resolution,
-                      radius.value_or(usual_mask_radius(resolution)))
-      .overall();
-}
-
-Array1<double> local_correlation_of(const DensityMap& map, const nb::handle& structure,
-                                    double resolution, std::optional<double> radius) {
-  const nb::object given = structure_from(structure);
-  const auto& from = nb::cast<const Structure&>(given);
-  const WeighedAtoms atoms = weighed_atoms(from);
-  return array_of(MapAgreement(map, atoms.positions, atoms.weights, resolution,
-                               radius.value_or(usual_mask_radius(resolution)))
-                      .by_group(atoms.residue_of, from.atoms.residues.size()));
-}
-
-nb::tuple unexplained_by(const DensityMap& map, const nb::handle& structure,
-                         std::optional<double> threshold, double radius) {
-  const WeighedAtoms atoms = weighed_atoms(structure);
-  const UnexplainedDensity found =
-      unexplained_density(map, atoms.positions, threshold.value_or(usual_threshold(map)), radius);
-  std::vector<Vec3> centers;
-  std::vector<double> shares;
-  for (const DensityBlob& blob : found.blobs) {
-    centers.push_back(blob.center);
-    shares.push_back(blob.share);
-  }
-  return nb::make_tuple(found.share, new_positions(std::move(centers)),
-                        array_of(std::move(shares)));
-}
-
-nb::tuple placed_in(const DensityMap& map, const nb::handle& structure, double resolution) {
-  const nb::object given = structure_from(structure);
-  const auto& from = nb::cast<const Structure&>(given);
-  const WeighedAtoms atoms = weighed_atoms(from);
-  Placing found;
-  {
-    const nb::gil_scoped_release no_gil;
-    found = place_in_map(map, atoms.positions, atoms.weights, resolution);
-  }
-  std::vector<Vec3> positions = from.positions;
-  for (Vec3& position : positions) position = found.motion(position);
-  return nb::make_tuple(new_positions(std::move(positions)), found.density);
 }
 
 MapValues values_of(const nb::handle& self) {
@@ -242,109 +167,6 @@ OptionError
     The resolution is out of its range.
 )";
 
-constexpr const char* correlation_doc =
-    R"(The correlation, about the means, with the map that a molecule would have.
-
-At points of the map near to an atom.
-
-Parameters
-----------
-structure : Structure
-resolution : float
-    That of the map, Angstrom.
-radius : float, optional
-    How near, Angstrom. None: half of the resolution, at least 3.
-
-Returns
--------
-float
-    From -1 to 1; 0 where one of both is the same everywhere.
-
-Raises
-------
-OptionError
-    A number is out of its range.
-InputError
-    The molecule is outside of the map.
-)";
-
-constexpr const char* local_correlation_doc =
-    R"(The correlation, as ``correlation`` has it, at points near to each residue.
-
-Parameters
-----------
-structure : Structure
-resolution : float
-    That of the map, Angstrom.
-radius : float, optional
-    How near, Angstrom. None: half of the resolution, at least 3.
-
-Returns
--------
-(R,) float64
-    One for each residue of the structure; 0 for those outside of the map.
-
-Raises
-------
-OptionError
-    A number is out of its range.
-)";
-
-constexpr const char* unexplained_doc =
-    R"(Density that no atom is near to.
-
-Density counts from the threshold up.
-
-Parameters
-----------
-structure : Structure
-threshold : float, optional
-    None: two deviations above the mean of the map.
-radius : float
-    Points further than this from every atom are not explained, Angstrom.
-
-Returns
--------
-share : float
-    Of all density above the threshold, from 0 to 1.
-centers : (B, 3) float64
-    Of its largest pieces, five at most, largest first; Angstrom.
-shares : (B,) float64
-    Of each of these.
-
-Raises
-------
-OptionError
-    No value is above the threshold, or a number is out of its range.
-)";
-
-constexpr const char* place_doc =
-    R"(Puts a molecule into the map as a rigid body, wherever it was before.
-
-Rotations are tried about the center of density and other dense places in the map blurred to twice
-its resolution; the best go uphill there, then in the map itself.
-
-Parameters
-----------
-structure : Structure
-resolution : float
-    That of the map, Angstrom.
-
-Returns
--------
-positions : (N, 3) float64
-    Angstrom.
-density : float
-    The mean at the atoms by atomic number, where the greatest of the map is 1.
-
-Raises
-------
-OptionError
-    The resolution is out of its range.
-InputError
-    The map is nowhere above 0, or the molecule has fewer than three atoms of known elements.
-)";
-
 constexpr const char* save_doc =
     R"(Writes the map as an MRC file (MRC2014, float32).
 
@@ -429,27 +251,6 @@ void bind_density_map(nb::module_& module) {
       .def("normalized", &normalized,
            "The map with mean 0 and standard deviation 1. Raises InputError if all values are\n"
            "equal.")
-      .def("correlation", &correlation_of, "structure"_a, "resolution"_a, "radius"_a = nb::none(),
-           nb::sig("def correlation(self, structure: Structure | Molecule, resolution: float, "
-                   "radius: float | None = None) -> float"),
-           correlation_doc)
-      .def("local_correlation", &local_correlation_of, "structure"_a, "resolution"_a,
-           "radius"_a = nb::none(),
-           nb::sig("def local_correlation(self, structure: Structure | Molecule, "
-                   "resolution: float, radius: float | None = None) -> "
-                   "numpy.typing.NDArray[numpy.float64]"),
-           local_correlation_doc)
-      .def("unexplained", &unexplained_by, "structure"_a, "threshold"_a = nb::none(),
-           "radius"_a = 3.0,
-           nb::sig("def unexplained(self, structure: Structure | Molecule, "
-                   "threshold: float | None = None, radius: float = 3.0) -> "
-                   "tuple[float, numpy.typing.NDArray[numpy.float64], "
-                   "numpy.typing.NDArray[numpy.float64]]"),
-           unexplained_doc)
-      .def("place", &placed_in, "structure"_a, "resolution"_a,
-           nb::sig("def place(self, structure: Structure | Molecule, resolution: float) -> "
-                   "tuple[numpy.typing.NDArray[numpy.float64], float]"),
-           place_doc)
       .def(
           "save",
           [](const DensityMap& map, const std::filesystem::path& path, bool overwrite) {
@@ -458,6 +259,7 @@ void bind_density_map(nb::module_& module) {
           "path"_a, nb::kw_only(), "overwrite"_a = false, nb::call_guard<nb::gil_scoped_release>(),
           save_doc);
   bind_grid(bound);
+  bind_map_agreement(bound);
 }
 
 }  // namespace pliant::python

@@ -35,7 +35,7 @@ struct DensitiesAt {
   std::size_t outside = 0;      ///< how many places are outside of the box of the map
 };
 
-/// Of the values of a map.
+/// The mean of the values of a map, their standard deviation, and their range.
 struct MapStatistics {
   double mean = 0.0, deviation = 0.0, least = 0.0, greatest = 0.0;
 };

@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t rotation_count = 1000, most_centers = 60;
 constexpr std::size_t most_searched = 150, most_climbed = 2000;  ///< points
 constexpr std::size_t climbs_per_center = 6, fine_climbs = 30;
+constexpr double last_step = 0.003;  ///< Angstrom
 
 /// A place of a body's center, its turn about that, and the density there.
 struct Trial {
@@ -76,7 +77,7 @@ class Body {
     return sum;
   }
 
-  Trial climb(const DensityMap& map, Trial trial) const;
+  Trial climb(const DensityMap& map, Trial trial, double shortest) const;
   Placing placing(const Trial& trial) const {
     return {motion_to(trial.turn, trial.place), trial.density};
   }
@@ -109,9 +110,10 @@ Body::Slope Body::slope(const DensityMap& map, const Rotation& turn, Vec3 place)
   return out;
 }
 
-/// Steepest ascent whose steps grow while they succeed and are halved when they do not.
-Trial Body::climb(const DensityMap& map, Trial trial) const {
-  constexpr double longest = 2.0, shortest = 0.003;  // Angstrom
+/// Steepest ascent whose steps (Angstrom) grow while they succeed and are halved when they do not,
+/// until they are shorter than `shortest`.
+Trial Body::climb(const DensityMap& map, Trial trial, double shortest) const {
+  constexpr double longest = 2.0;
   Slope here = slope(map, trial.turn, trial.place);
   double step = longest;
   for (int steps = 0; steps < 500 && step > shortest; ++steps) {
@@ -225,7 +227,7 @@ std::vector<Trial> searched(const DensityMap& coarse, const Body& body) {
 /// The summits in a map that trials climb to, densest first, each once.
 std::vector<Trial> summits(const DensityMap& map, const Body& body, std::vector<Trial> trials,
                            std::size_t most) {
-  for (Trial& trial : trials) trial = body.climb(map, trial);
+  for (Trial& trial : trials) trial = body.climb(map, trial, 0.1);
   return best_trials(std::move(trials), most);
 }
 
@@ -254,14 +256,14 @@ Placing place_in_map(const DensityMap& map, std::span<const Vec3> positions,
   std::vector<Trial> found = summits(maps[0], searching, searched(maps[0], searching), fine_climbs);
   found = summits(maps[1], searching, std::move(found), 1);
   const RigidMotion motion = searching.placing(found.front()).motion;
-  return body.placing(body.climb(maps[1], body.trial(motion)));
+  return body.placing(body.climb(maps[1], body.trial(motion), last_step));
 }
 
 Placing climb_in_map(const DensityMap& map, std::span<const Vec3> positions,
                      std::span<const double> weights, const RigidMotion& start) {
   check_body(positions, weights);
   const Body body(positions, weights, most_climbed);
-  return body.placing(body.climb(map, body.trial(start)));
+  return body.placing(body.climb(map, body.trial(start), last_step));
 }
 
 }  // namespace pliant
