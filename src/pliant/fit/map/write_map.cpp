@@ -30,7 +30,9 @@ class MapBytes {
   }
   void append(float value) {
     const auto word = std::bit_cast<std::uint32_t>(value);
-    for (std::size_t k = 0; k < 4; ++k) bytes_.push_back(static_cast<char>(word >> 8 * k));
+    const std::array bytes{static_cast<char>(word), static_cast<char>(word >> 8),
+                           static_cast<char>(word >> 16), static_cast<char>(word >> 24)};
+    bytes_.append(bytes.data(), bytes.size());
   }
   void reserve(std::size_t values) { bytes_.reserve(bytes_.size() + 4 * values); }
   std::string taken() { return std::move(bytes_); }
