@@ -77,8 +77,8 @@ MapGrid right_angled_around(const MapGrid& grid) {
     corners.push_back(grid.place(end(0), end(1), end(2)));
   }
   const Extent box = extent_of(corners);
-  const std::array<double, 3> lengths = grid.spacing();
-  const double spacing = *std::min_element(lengths.begin(), lengths.end());
+  const double volume = std::abs(dot(grid.steps[0], cross(grid.steps[1], grid.steps[2])));
+  const double spacing = exact_bits_exp(exact_bits_log(volume) / 3.0);
   const Vec3 size = box.high - box.low;
   MapGrid out;
   out.origin = box.low;

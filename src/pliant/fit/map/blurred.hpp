@@ -9,7 +9,7 @@
 
 namespace pliant {
 
-/// The map on a right-angled grid around its own, with the least of its spacings, by linear
+/// The map on a right-angled grid around its own, with as many points in a volume, by linear
 /// interpolation; 0 outside of its box. A map on such a grid is given back as it is.
 DensityMap on_right_angles(const DensityMap& map);
 

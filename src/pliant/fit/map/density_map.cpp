@@ -15,17 +15,18 @@ struct Within {
   double part;
 };
 
-Within within(double place, std::size_t count) {
-  const auto cell = std::min(static_cast<std::size_t>(place), count - 2);
-  return {cell, place - static_cast<double>(cell)};
+/// A place that rounding has put this far outside is inside.
+constexpr double slack = 1e-9;
+
+bool is_inside(double place, std::size_t count) {
+  // NaN is not inside.
+  return place >= -slack && place <= static_cast<double>(count - 1) + slack;
 }
 
-bool is_inside(Vec3 place, const std::array<std::size_t, 3>& count) {
-  // NaN is not inside.
-  return place.x >= 0.0 && place.y >= 0.0 && place.z >= 0.0 &&
-         place.x <= static_cast<double>(count[0] - 1) &&
-         place.y <= static_cast<double>(count[1] - 1) &&
-         place.z <= static_cast<double>(count[2] - 1);
+Within within(double place, std::size_t count) {
+  const double inside = std::clamp(place, 0.0, static_cast<double>(count - 1));
+  const auto cell = std::min(static_cast<std::size_t>(inside), count - 2);
+  return {cell, inside - static_cast<double>(cell)};
 }
 
 /// A value between two, and how it changes from the one to the other.
@@ -68,7 +69,10 @@ DensityMap::DensityMap(const MapGrid& grid, std::vector<float> values)
 
 DensityAt DensityMap::at(Vec3 place) const {
   const Vec3 on_grid = places_(place);
-  if (!pliant::is_inside(on_grid, grid_.count)) return {};
+  const bool is_inside_box = is_inside(on_grid.x, grid_.count[0]) &&
+                             is_inside(on_grid.y, grid_.count[1]) &&
+                             is_inside(on_grid.z, grid_.count[2]);
+  if (!is_inside_box) return {};
   const Within x = within(on_grid.x, grid_.count[0]), y = within(on_grid.y, grid_.count[1]),
                z = within(on_grid.z, grid_.count[2]);
   const Grid points = grid_.points();
