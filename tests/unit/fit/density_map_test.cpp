@@ -2,6 +2,7 @@
 #include "pliant/base/random.hpp"
 #include "pliant/fit/map/blurred.hpp"
 #include "pliant/fit/map/density_term.hpp"
+#include "pliant/fit/map/placing.hpp"
 #include "pliant/fit/map/read_map.hpp"
 #include "pliant/fit/map/simulated.hpp"
 #include "pliant/fit/map/spread_rotations.hpp"
@@ -82,6 +83,16 @@ TEST(DensityPyramid, IsWiderAtFirstAndHasAGreatestOfOne) {
     const double sigma = 0.225 * 6.0 * times[k];
     EXPECT_NEAR(pyramid[k].at({4, 0, 0}).value, std::exp(-8.0 / (sigma * sigma)), 2e-3);
   }
+}
+
+TEST(Placing, ClimbsFromNearby) {
+  const std::vector<Vec3> atoms{{0, 0, 0}, {9, 0, 0}, {0, 12, 0}, {0, 0, 15}};
+  const std::vector<double> weights{6, 7, 8, 16};
+  const DensityMap map = simulated(grid_around(atoms, 6.0, 1.0), atoms, weights, 6.0);
+  const RigidMotion away{turn_about({0, 0.6, 0.8}, 0.1), {1, -1, 1.5}};
+  const Placing found = climb_in_map(map, atoms, weights, away);
+  for (const Vec3 atom : atoms) EXPECT_LT(distance(found.motion(atom), atom), 0.2);
+  EXPECT_GT(found.density, 0.9 * (6 * 6 + 7 * 7 + 8 * 8 + 16 * 16) / 37.0);
 }
 
 TEST(SpreadRotations, AreNearToAnyRotation) {

@@ -78,6 +78,7 @@ class Body {
   }
 
   Trial climb(const DensityMap& map, Trial trial, double shortest) const;
+  Trial polished(const DensityMap& map, Trial trial) const;
   Placing placing(const Trial& trial) const {
     return {motion_to(trial.turn, trial.place), trial.density};
   }
@@ -131,6 +132,28 @@ Trial Body::climb(const DensityMap& map, Trial trial, double shortest) const {
     if (is_higher) std::tie(here, trial) = std::tie(there, next);
   }
   trial.density = here.density;
+  return trial;
+}
+
+/// Tries steps both ways along and about each axis, halved where none goes up: the slope changes
+/// from one cell of the map to the next, and on an edge between them it leads nowhere.
+Trial Body::polished(const DensityMap& map, Trial trial) const {
+  double step = 0.5;
+  for (int rounds = 0; rounds < 200 && step > last_step; ++rounds) {
+    bool has_risen = false;
+    for (const double way : {step, -step})
+      for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const Rotation turn = turn_about(axis, 0.5 * way / std::max(size_, 1.0));
+        for (Trial next : {Trial{0.0, trial.turn, trial.place + way * axis},
+                           Trial{0.0, product(turn, trial.turn), trial.place}}) {
+          next.density = density(map, next.turn, next.place);
+          if (next.density <= trial.density) continue;
+          trial = next;
+          has_risen = true;
+        }
+      }
+    if (!has_risen) step *= 0.5;
+  }
   return trial;
 }
 
@@ -256,14 +279,14 @@ Placing place_in_map(const DensityMap& map, std::span<const Vec3> positions,
   std::vector<Trial> found = summits(maps[0], searching, searched(maps[0], searching), fine_climbs);
   found = summits(maps[1], searching, std::move(found), 1);
   const RigidMotion motion = searching.placing(found.front()).motion;
-  return body.placing(body.climb(maps[1], body.trial(motion), last_step));
+  return body.placing(body.polished(maps[1], body.climb(maps[1], body.trial(motion), 0.1)));
 }
 
 Placing climb_in_map(const DensityMap& map, std::span<const Vec3> positions,
                      std::span<const double> weights, const RigidMotion& start) {
   check_body(positions, weights);
   const Body body(positions, weights, most_climbed);
-  return body.placing(body.climb(map, body.trial(start), last_step));
+  return body.placing(body.polished(map, body.climb(map, body.trial(start), 0.1)));
 }
 
 }  // namespace pliant

@@ -27,7 +27,9 @@ struct Placing {
 Placing place_in_map(const DensityMap& map, std::span<const Vec3> positions,
                      std::span<const double> weights, double resolution);
 
-/// The same motion, brought to the nearest summit of the sum of weight x density at the positions.
+/// The rigid motion from `start` uphill to a summit of the sum of weight x density at the
+/// positions, in the map as it is: the density is in its unit. Throws as place_in_map() does for
+/// positions.
 Placing climb_in_map(const DensityMap& map, std::span<const Vec3> positions,
                      std::span<const double> weights, const RigidMotion& start);
 
