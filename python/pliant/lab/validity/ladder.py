@@ -14,6 +14,7 @@ import numpy as np
 from pliant._core import OptionError
 from pliant.lab.pairs.directions import directions_of
 from pliant.lab.sources import Files, MissingSourceError
+from pliant.lab.structures import read_quietly
 from pliant.lab.validity import measure
 from pliant.lab.validity.cases import (
     CHANGES,
@@ -22,11 +23,13 @@ from pliant.lab.validity.cases import (
     FLUCTUATIONS,
     OPEN,
     PATHS,
+    POCKETS,
     STATES,
     TUNED_PAIRS,
     Change,
     Fluctuation,
 )
+from pliant.lab.validity.pockets import Host, Site, pocket_rows
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of
 from pliant.lab.validity.rows import HELD_OUT, NO, TUNED, Row, Validity
 from pliant.lab.validity.stereochemistry import Stereochemistry
@@ -36,7 +39,7 @@ from pliant.measure import agreement as alike
 
 FRAMES, SEEDS = 200, 3
 DRAWS = 1000
-GROUPS = (*FLUCTUATIONS, *CHANGES, "pairs", "crystals", "turns", "clashes")
+GROUPS = (*FLUCTUATIONS, *CHANGES, "pairs", "crystals", "turns", "pockets", "clashes")
 GOAL_OF = 30  #: directions held out, over which the goal of domain motions was set
 GOAL_ANM = "0.841 and 0.887"
 
@@ -61,6 +64,7 @@ class Ladder:
             found["pairs"] = self._domain_motions
         found["crystals"] = self._crystals
         found["turns"] = self._turns
+        found["pockets"] = self._pockets
         found["clashes"] = self._clashes
         return found
 
@@ -170,6 +174,24 @@ class Ladder:
                 self._looks += subject.looks
         frames = sum(look.frames for look in looks)
         return rows + (measure.exact_rows(f"{frames} frames of turns", looks) if looks else [])
+
+    def _pockets(self) -> list[Row]:
+        """Of each ligand, in its protein alone; a subject is let go after its rows."""
+        rows = []
+        for name, case in POCKETS.items():
+            end = f"to {case.holo.label}" if case.holo != case.start else "emptied"
+            title = f"{name}, {case.start.label} {end}"
+            try:
+                path, holo = self._files.find(case.start), self._files.find(case.holo)
+            except MissingSourceError as error:
+                rows.append(Row(title, "pockets", note=str(error)))
+                continue
+            subject = Subject(path, 2 * self._frames, chain=case.start.chain)
+            host = Host(subject, Site(read_quietly(holo), case.ligand, case.holo.chain))
+            for sampler in ("reach", "pocket"):
+                rows += pocket_rows(host, sampler, self._seeds, title, case.data)
+            self._looks += subject.looks
+        return rows
 
     def _exact(self) -> list[Row]:
         rows = measure.exact_rows(f"all {self.found.sampled} frames", self._looks)

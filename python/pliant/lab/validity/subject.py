@@ -55,7 +55,7 @@ class Subject:
         return self._drawn[key]
 
     def _draw(self, seed: int, amplitude: float, sampler: str) -> Drawn:
-        found = self._sample(self._frames, sampler, amplitude, seed)
+        found = self.sample(sampler, amplitude, seed)
         return Drawn(
             np.array(found.positions[:, self.trace.atoms]),
             found.redrawn,
@@ -64,13 +64,14 @@ class Subject:
             self.checker.look(found.positions),
         )
 
-    def _sample(
-        self, frames: int, sampler: str, amplitude: float, seed: int
+    def sample(
+        self, sampler: str, amplitude: float = AMPLITUDE, seed: int = 0, around: str = ""
     ) -> pliant.SampledEnsemble:
+        """As many frames as asked for; `around` is for sampler ``pocket``."""
         has_near = any(row.name == sampler and row.near_sampler for row in pliant.samplers())
-        near = max(frames // 2, 1) if has_near else 0
+        near = max(self._frames // 2, 1) if has_near else 0
         options: dict[str, Any] = {"sampler": sampler, "amplitude": amplitude, "seed": seed}
-        return pliant.sample(self.model, frames, near_frames=near, **options)
+        return pliant.sample(self.model, self._frames, near_frames=near, around=around, **options)
 
     def network(self, name: str) -> Network:
         """Modes of a network of the alpha carbons."""

