@@ -28,7 +28,7 @@ enum class DrawnBy : std::uint8_t {
   modes,             ///< along the modes of a network
   wide_modes,        ///< likewise, twice as far
   turns,             ///< domains turned
-  turns_with_modes,  ///< domains turned, with a draw of the modes inside them
+  turns_with_modes,  ///< in files of earlier versions: with a draw of the modes inside them
   pocket,            ///< a place opened or closed, with a draw of the modes
 };
 

@@ -12,12 +12,10 @@
 namespace pliant {
 namespace {
 
-constexpr double wide = 2.0;  // of the amplitude
-/// Frames: one of wide modes, five turns, two with modes on top.
-constexpr std::int64_t a_round = 8, with_modes = 2;
-
-/// Seeds of wide modes and of those on top of turns: near frames have the seed itself.
-constexpr std::uint64_t wide_seed = 1, on_top_seed = 2;
+constexpr double wide = 2.0;         // of the amplitude
+constexpr std::int64_t a_round = 4;  // frames: one of wide modes, three turns
+/// The seed of wide modes: near frames have the seed itself.
+constexpr std::uint64_t wide_seed = 1;
 
 /// Modes of frames [first, first + frames), so far; null for none.
 std::unique_ptr<ModesSampler> modes_of(const SamplerSetting& setting, const NetworkModes& modes,
@@ -34,9 +32,9 @@ std::unique_ptr<ModesSampler> modes_of(const SamplerSetting& setting, const Netw
       modes);
 }
 
-/// The first `near_frames` frames are those of `modes`, to the bit. Of each eight others one goes
-/// along the modes twice as far, five are turns, and two are turns with a draw of the modes on top.
-/// Where no domain can turn, all others go along wide modes.
+/// The first `near_frames` frames are those of `modes`, to the bit. Of each four others one goes
+/// along the modes twice as far, and three are turns. Where no domain can turn, all others go along
+/// wide modes.
 class ReachSampler final : public Sampler {
  public:
   explicit ReachSampler(const SamplerSetting& setting);
@@ -50,18 +48,15 @@ class ReachSampler final : public Sampler {
                 FrameRequest& request) const;
 
   std::int64_t near_frames_;
-  std::size_t joints_;
   TurnsSampler turns_;
-  std::unique_ptr<ModesSampler> near_, wide_, on_top_;  ///< null: none of the frames needs it
+  std::unique_ptr<ModesSampler> near_, wide_;  ///< null: none of the frames needs it
 };
 
 ReachSampler::ReachSampler(const SamplerSetting& setting)
     : ReachSampler(setting, network_modes(setting)) {}
 
 ReachSampler::ReachSampler(const SamplerSetting& setting, const NetworkModes& modes)
-    : near_frames_(setting.options.near_frames),
-      joints_(setting.start.size()),
-      turns_(setting, modes) {
+    : near_frames_(setting.options.near_frames), turns_(setting, modes) {
   const std::int64_t first = setting.options.first_frame;
   const std::int64_t end = first + setting.options.frames;
   near_ = modes_of(setting, modes, first, std::min(end, near_frames_) - first, 1.0, 0);
@@ -69,7 +64,6 @@ ReachSampler::ReachSampler(const SamplerSetting& setting, const NetworkModes& mo
   const std::int64_t other = std::max(first, near_frames_) - near_frames_;
   const std::int64_t others = end - near_frames_ - other;
   wide_ = modes_of(setting, modes, other, others, wide, wide_seed);
-  if (!turns_.empty()) on_top_ = modes_of(setting, modes, other, others, 1.0, on_top_seed);
 }
 
 void ReachSampler::ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
@@ -77,12 +71,7 @@ void ReachSampler::ask(std::int64_t frame, int step, int attempt, std::span<cons
   if (frame < near_frames_) return near_->ask(frame, step, attempt, now, request);
   const std::int64_t number = frame - near_frames_;
   if (turns_.empty() || number % a_round == 0) return ask_wide(number, attempt, now, request);
-  std::vector<Vec3> moves;
-  if (number % a_round >= a_round - with_modes) {
-    moves.resize(joints_);
-    on_top_->displace(number, attempt, moves);
-  }
-  turns_.ask_with(std::move(moves), number, attempt, request);
+  turns_.ask(number, step, attempt, now, request);
 }
 
 void ReachSampler::ask_wide(std::int64_t number, int attempt, std::span<const Vec3> now,

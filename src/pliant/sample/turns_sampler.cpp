@@ -23,21 +23,16 @@ TurnsSampler::TurnsSampler(const SamplerSetting& setting, const NetworkModes& mo
 
 void TurnsSampler::ask(std::int64_t frame, int, int attempt, std::span<const Vec3>,
                        FrameRequest& request) const {
-  ask_with({}, frame, attempt, request);
-}
-
-void TurnsSampler::ask_with(std::vector<Vec3> displacements, std::int64_t frame, int attempt,
-                            FrameRequest& request) const {
   RandomSequence draws({seed_, Domain::turn, static_cast<std::uint64_t>(attempt),
                         static_cast<std::uint64_t>(frame), 0});
   const DrawnTurns drawn = draws_.draw(draws);
   request.targets.assign(start_.begin(), start_.end());
   request.limits_off.clear();
   request.course = {};
-  request.drawn_by = displacements.empty() ? DrawnBy::turns : DrawnBy::turns_with_modes;
+  request.drawn_by = DrawnBy::turns;
   if (drawn.tree == nullptr) return;
-  displacements.resize(start_.size());
-  request.course = course_of(nodes_, of_joint_, drawn, request.targets, std::move(displacements));
+  request.course =
+      course_of(nodes_, of_joint_, drawn, request.targets, std::vector<Vec3>(start_.size()));
   request.course.at(1.0, request.targets);
   request.limits_off = torn_limits(framework_, request.targets);  // of pieces that move apart
 }

@@ -25,10 +25,6 @@ class TurnsSampler final : public Sampler {
   void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
            FrameRequest& request) const override;
 
-  /// The same with displacements (N, Angstrom; may be empty), which turn with the domains.
-  void ask_with(std::vector<Vec3> displacements, std::int64_t frame, int attempt,
-                FrameRequest& request) const;
-
  private:
   const Framework& framework_;
   std::span<const Vec3> start_;

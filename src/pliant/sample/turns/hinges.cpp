@@ -31,17 +31,25 @@ std::vector<std::uint32_t> moved_with(const PieceTree& tree, std::uint32_t piece
   return nodes;
 }
 
-void add_product(Vec3 r, double factor, std::array<double, 9>& sum) {
-  const std::array<double, 3> x{r.x, r.y, r.z};
+using Matrix = std::array<double, 9>;
+
+/// One row for each component of `one`.
+void add_product(Vec3 one, Vec3 other, Matrix& sum) {
+  const std::array<double, 3> x{one.x, one.y, one.z}, y{other.x, other.y, other.z};
   for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t b = 0; b < 3; ++b) sum[3 * a + b] += factor * x[a] * x[b];
+    for (std::size_t b = 0; b < 3; ++b) sum[3 * a + b] += x[a] * y[b];
+}
+
+Vec3 product(const Matrix& m, Vec3 x) {
+  const auto row = [&](std::size_t a) { return dot({m[a], m[a + 1], m[a + 2]}, x); };
+  return {row(0), row(3), row(6)};
 }
 
 /// The direction in which points are spread furthest.
 Vec3 line_through(std::span<const Vec3> points, Vec3 centre) {
   if (points.size() < 2) return {};
   std::array<double, 9> spread{}, vectors{};
-  for (const Vec3 point : points) add_product(point - centre, 1.0, spread);
+  for (const Vec3 point : points) add_product(point - centre, point - centre, spread);
   find_eigenvectors(spread, vectors, 3);
   std::size_t most = 0;
   for (std::size_t k = 1; k < 3; ++k)
@@ -49,30 +57,38 @@ Vec3 line_through(std::span<const Vec3> points, Vec3 centre) {
   return {vectors[most], vectors[3 + most], vectors[6 + most]};
 }
 
-/// Covariance of how both sides turn against each other in the modes.
-std::array<double, 9> turns_in_modes(const NetworkNodes& nodes, const NetworkModes& modes,
-                                     std::span<const std::uint32_t> sides) {
-  std::array<double, 9> sum{};
+/// Covariances of how both sides turn against each other in the modes, and of how they shift with
+/// it.
+struct MovesInModes {
+  Matrix turns{}, shifts{};
+};
+
+MovesInModes moves_in_modes(const NetworkNodes& nodes, const NetworkModes& modes,
+                            std::span<const std::uint32_t> sides) {
+  MovesInModes sum;
   std::vector<Vec3> moves(nodes.positions.size());
   for (std::size_t k = 0; k < modes.variances.size(); ++k) {
     const double scale = std::sqrt(modes.variances[k]);
     const auto u = modes.directions.row(k);
     for (std::size_t i = 0; i < moves.size(); ++i)
       moves[i] = scale * Vec3{u[3 * i], u[3 * i + 1], u[3 * i + 2]};
-    add_product(screw_of(nodes.positions, moves, sides, 1).turn -
-                    screw_of(nodes.positions, moves, sides, 0).turn,
-                1.0, sum);
+    const Screw one = screw_of(nodes.positions, moves, sides, 1);
+    const Screw other = screw_of(nodes.positions, moves, sides, 0);
+    add_product(one.turn - other.turn, one.turn - other.turn, sum.turns);
+    add_product(one.shift - other.shift, one.turn - other.turn, sum.shifts);
   }
   return sum;
 }
 
-void find_axes(std::array<double, 9> turns, Hinge& hinge) {
-  std::array<double, 9> vectors{};
+void find_axes(MovesInModes moves, Hinge& hinge) {
+  Matrix vectors{}, &turns = moves.turns;
   find_eigenvectors(turns, vectors, 3);
   const double trace = turns[0] + turns[4] + turns[8];
   for (std::size_t k = 0; k < 3; ++k) {
     hinge.axes[k] = {vectors[k], vectors[3 + k], vectors[6 + k]};
     hinge.softness[k] = trace > 0.0 ? turns[4 * k] / trace : 1.0 / 3.0;
+    if (turns[4 * k] > 1e-9 * trace)
+      hinge.shifts[k] = (1.0 / turns[4 * k]) * product(moves.shifts, hinge.axes[k]);
   }
 }
 
@@ -95,7 +111,7 @@ Hinge hinge_of(const NetworkNodes& nodes, const PieceTree& tree, const NetworkMo
   hinge.piece = piece;
   hinge.weight = smaller * smaller / double(sides.size() * sides.size());
   find_links(nodes, tree, sides, hinge);
-  find_axes(turns_in_modes(nodes, modes, sides), hinge);
+  find_axes(moves_in_modes(nodes, modes, sides), hinge);
   return hinge;
 }
 

@@ -23,6 +23,8 @@ struct Hinge {
   /// Main axes of the turn in the modes, and their shares of its variance.
   std::array<Vec3, 3> axes;
   std::array<double, 3> softness{};
+  /// How the piece shifts in the modes for each radian about these (Angstrom, of the origin).
+  std::array<Vec3, 3> shifts;
 };
 
 /// The hinges of all pieces of a tree but the root, in the order of the pieces.

@@ -20,12 +20,19 @@ struct Axes {
 };
 constexpr Axes axes[] = {{0.4, 0.0}, {0.5, 2.0}, {0.1, -1.0}};
 
-// How many pieces turn; 0: all, as a draw of the modes turns them.
+// So many draws turn all pieces as a draw of the modes does; more of open molecules, whose modes
+// show the way: so much more for an openness of 1, less for -1.
+constexpr double share_in_modes = 0.45, more_if_open = 0.35;
+
+// How many pieces turn in the others.
 struct Pieces {
   double share;
   std::size_t count;
 };
-constexpr Pieces frames[] = {{0.25, 1}, {0.65, 2}, {0.1, 0}};
+constexpr Pieces turning[] = {{0.3, 1}, {0.7, 2}};
+
+// Of open molecules, by their openness: pieces turn about an axis where it lies in the modes.
+constexpr double share_of_pivots = 0.6;
 
 // Angstrom, between alpha carbons
 constexpr double pivot_noise = 1.5;
@@ -85,11 +92,19 @@ Vec3 axis_of(const Hinge& hinge, RandomSequence& draws) {
   return unit(axis);
 }
 
-PieceTurn turn_of(const Hinge& hinge, double scale, RandomSequence& draws) {
+/// A point of the axis about which the piece turns in the modes, of those along `axis`.
+Vec3 pivot_in_modes(const Hinge& hinge, Vec3 axis) {
+  Vec3 shift;
+  for (std::size_t k = 0; k < 3; ++k) shift += dot(axis, hinge.axes[k]) * hinge.shifts[k];
+  return cross(axis, shift);
+}
+
+PieceTurn turn_of(const Hinge& hinge, double scale, double openness, RandomSequence& draws) {
   PieceTurn turn{.piece = hinge.piece,
                  .axis = axis_of(hinge, draws),
                  .pivot = hinge.centre,
                  .angle = scale * largest_angle * draws.uniform()};
+  if (draws.uniform() < share_of_pivots * openness) turn.pivot = pivot_in_modes(hinge, turn.axis);
   turn.pivot += pivot_noise * normal_vector(draws);
   return turn;
 }
@@ -130,8 +145,10 @@ DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
 }
 
 TurnDraws::Candidate TurnDraws::draw_candidate(double scale, RandomSequence& draws) const {
-  const std::size_t pieces = one_of(frames, draws).count;
-  Candidate one{pieces == 0 ? turns_in_modes(scale, draws) : draw_turns(pieces, scale, draws)};
+  const double in_modes = share_in_modes + more_if_open * plausible_.openness();
+  Candidate one{draws.uniform() < in_modes
+                    ? turns_in_modes(scale, draws)
+                    : draw_turns(one_of(turning, draws).count, scale, draws)};
   one.rank = plausible_.score(moved(one.turns)) + gumbel(draws);
   return one;
 }
@@ -158,7 +175,7 @@ DrawnTurns TurnDraws::draw_turns(std::size_t pieces, double scale, RandomSequenc
         weights.size(), [&](std::size_t h) { return weights[h]; }, draws);
     weights[at] = 0.0;
     const double share = turn == 0 ? 1.0 : draws.uniform();
-    drawn.turns.push_back(turn_of(tree.hinges[at], scale * share, draws));
+    drawn.turns.push_back(turn_of(tree.hinges[at], scale * share, plausible_.openness(), draws));
   }
   return drawn;
 }
