@@ -41,6 +41,8 @@ constexpr Command commands[] = {
      command_rigidity},
 
     {going, "path", "find a path from one structure of a molecule to another", nullptr},
+    {going, "fit", "fit a structure to measured distances between residues", nullptr},
+    {going, "design", "say which distances of a molecule to measure", nullptr},
     {going, "run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
      command_run},
 

@@ -28,6 +28,7 @@ void bind_network(nb::module_& module);
 void bind_order(nb::module_& module);
 void bind_resolve(nb::module_& module);
 void bind_path(nb::module_& module);
+void bind_fit(nb::module_& module);
 void bind_plausible_shapes(nb::module_& module);
 void bind_perturb(nb::module_& module);
 void bind_record(nb::module_& module);

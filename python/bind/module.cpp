@@ -33,6 +33,7 @@ NB_MODULE(_core, module) {
   bind_motion(module);
   bind_path(module);
   bind_density_map(module);
+  bind_fit(module);
   bind_laboratory(module);
   name_unfit_arguments(module);
 }

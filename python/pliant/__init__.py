@@ -70,6 +70,8 @@ from pliant.trajectory.trajectory import Trajectory
 if TYPE_CHECKING:
     from pliant.adapters.convert.write import convert
     from pliant.jobs.conformers.results import Conformers
+    from pliant.jobs.fit.design import Design, design
+    from pliant.jobs.fit.fit import FittedStructure, fit
     from pliant.jobs.path.found import MolecularPath
     from pliant.measure.shapes.representatives import Representatives
     from pliant.report.check.check_report import CheckReport
@@ -88,8 +90,10 @@ __all__ = [
     "ComparisonReport",
     "Conformers",
     "DensityMap",
+    "Design",
     "Error",
     "FileError",
+    "FittedStructure",
     "Frame",
     "Framework",
     "InputError",
@@ -122,7 +126,9 @@ __all__ = [
     "continue_run",
     "continue_sample",
     "convert",
+    "design",
     "estimate_b_factors",
+    "fit",
     "from_mdanalysis",
     "from_mdtraj",
     "from_openmm",
@@ -166,6 +172,8 @@ __getattr__ = late_names(
         "CheckReport": "pliant.report.check.check_report",
         "ComparisonReport": "pliant.report.compare.comparison_report",
         "Conformers": "pliant.jobs.conformers.results",
+        "Design": "pliant.jobs.fit.design",
+        "FittedStructure": "pliant.jobs.fit.fitted",
         "MolecularPath": "pliant.jobs.path.found",
         "Representatives": "pliant.measure.shapes.representatives",
         "Study": "pliant.report.study.studied",
@@ -173,6 +181,8 @@ __getattr__ = late_names(
         "check": "pliant.report.check.suite",
         "compare": "pliant.report.compare.suite",
         "convert": "pliant.adapters.convert.write",
+        "design": "pliant.jobs.fit.design",
+        "fit": "pliant.jobs.fit.fit",
         "representatives": "pliant.report.representatives",
         "study": "pliant.report.study.suite",
     },

@@ -30,6 +30,8 @@ PAGES = {
     "pliant-convert": ["convert", "--help"],
     "pliant-ensemble": ["ensemble", "--help"],
     "pliant-path": ["path", "--help"],
+    "pliant-fit": ["fit", "--help"],
+    "pliant-design": ["design", "--help"],
     "pliant-watch": ["watch", "--help"],
     "pliant-play": ["play", "--help"],
     "pliant-lab-experiment": ["lab", "experiment", "--help"],
@@ -44,13 +46,24 @@ PAGES = {
     "pliant-lab-bench-study": ["lab", "bench", "study", "--help"],
     "pliant-lab-bench-validity": ["lab", "bench", "validity", "--help"],
     "pliant-lab-bench-coverage": ["lab", "bench", "coverage", "--help"],
+    "pliant-lab-bench-fit": ["lab", "bench", "fit", "--help"],
     "pliant-lab-bench-domains": ["lab", "bench", "domains", "--help"],
     "pliant-lab-bench-conformers": ["lab", "bench", "conformers", "--help"],
 }
 #: whose --help shows a part of their options
 WITH_MORE = (
-    *("analyse", "check", "conformers", "contacts", "ensemble", "info", "path", "rigidity"),
-    *("run", "sample", "study", "lab experiment", "lab forcegen", "lab order", "lab structgen"),
+    *("analyse", "check", "conformers", "contacts", "design", "ensemble", "fit", "info"),
+    *(
+        "path",
+        "rigidity",
+        "run",
+        "sample",
+        "study",
+        "lab experiment",
+        "lab forcegen",
+        "lab order",
+        "lab structgen",
+    ),
 )
 PAGES |= {
     f"pliant-{name.replace(' ', '-')}-all": [*name.split(), "--help-all"] for name in WITH_MORE

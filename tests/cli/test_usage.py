@@ -25,8 +25,8 @@ def test_unknown_command_suggests_the_nearest(pliant):
     assert ended.code == 2
     assert ended.err == (
         'pliant: no command named "inffo" (did you mean "info"?); '
-        "known: study, sample, conformers, analyse, rigidity, path, run, compare, check, ensemble, "
-        "play, watch, info, contacts, convert, lab\n"
+        "known: study, sample, conformers, analyse, rigidity, path, fit, design, run, "
+        "compare, check, ensemble, play, watch, info, contacts, convert, lab\n"
     )
 
 

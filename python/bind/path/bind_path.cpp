@@ -77,6 +77,26 @@ std::shared_ptr<PathEnds> matched(const Structure& start, const Structure& end, 
   return std::make_shared<PathEnds>(match_ends(start, end, options));
 }
 
+std::shared_ptr<PathEnds> ends_at_places(const Structure& start, const ArrayLike& atoms,
+                                         const ArrayLike& goal, AskedPath options,
+                                         const OptionalArray& from) {
+  std::vector<std::uint32_t> asked;
+  for (const std::int64_t atom : integers_from(atoms, "atoms"))
+    asked.push_back(static_cast<std::uint32_t>(atom));
+  std::vector<Vec3> places = positions_from(goal, "goal"), begun;
+  if (from) begun = positions_from(*from, "begun");
+  options.model.log = options.model.prepare.log = {};  // model_of() has said it
+  const nb::gil_scoped_release no_gil;
+  return std::make_shared<PathEnds>(
+      ends_at(start, std::move(asked), std::move(places), options, std::move(begun)));
+}
+
+MolecularModel model_to_move(const Structure& start, AskedPath options) {
+  options.model.log = python_log();
+  const nb::gil_scoped_release no_gil;
+  return model_of_start(start, options.model);
+}
+
 /// (F, N, 3) of the frames from one on.
 FramesView path_positions(PythonPathWalk& self, std::size_t first) {
   std::vector<Vec3> all;
@@ -121,6 +141,13 @@ InputError
 void bind_ends(nb::module_& module) {
   nb::class_<PathEnds>(module, "PathEnds", ends_doc)
       .def(nb::new_(&matched), "start"_a, "end"_a, "options"_a = AskedPath())
+      .def_static(
+          "at", &ends_at_places, "start"_a, "atoms"_a, "goal"_a, "options"_a = AskedPath(),
+          "begun"_a.none() = nb::none(),
+          "Ends whose goal (K, 3) is that of atoms (K) of the start's model: CA, P. The walk "
+          "begins at\nanother frame (N, 3) of the model, if one is given.")
+      .def_static("model_of", &model_to_move, "start"_a, "options"_a = AskedPath(),
+                  "The model that a start moves as, with all contacts that are found.")
       .def_prop_ro(
           "model", [](const PathEnds& self) -> const MolecularModel& { return self.start.model; },
           nb::rv_policy::reference_internal,

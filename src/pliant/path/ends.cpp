@@ -13,6 +13,12 @@
 #include "pliant/path/shared_contacts.hpp"
 
 namespace pliant {
+
+MolecularModel model_of_start(const Structure& structure, ModelOptions options) {
+  options.torsions = false;  // those of the end may be others
+  return build_model(structure, options);
+}
+
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
@@ -56,11 +62,6 @@ Indices leaders(const MolecularModel& model, const MatchedSide& side) {
     for (std::uint32_t atom : members[residue]) leader[atom] = number[residue];
   }
   return leader;
-}
-
-MolecularModel model_of_start(const Structure& structure, ModelOptions options) {
-  options.torsions = false;  // those of the end may be others
-  return build_model(structure, options);
 }
 
 MolecularModel model_of_end(const Structure& structure, ModelOptions options) {
@@ -233,7 +234,55 @@ class EndsMatcher {
   MatchedSide ours_, theirs_;
 };
 
+/// Whether the goals of the residues of a contact, which go with the k-th atom each, let it be.
+bool keeps(const MolecularContact& contact, const Indices& leader, const std::vector<Vec3>& here,
+           const std::vector<Vec3>& goal) {
+  constexpr double most_change = 2.0;  // Angstrom
+  const std::uint32_t a = leader[contact.a], b = leader[contact.b];
+  return std::abs(distance(goal[a], goal[b]) - distance(here[a], here[b])) <= most_change;
+}
+
+void check_goal(const MolecularModel& model, const Indices& atoms, const std::vector<Vec3>& goal) {
+  const std::string where = model.structure.source + ": goal: ";
+  if (atoms.size() < 3 || atoms.size() != goal.size())
+    throw InputError(where + "expected the places of three or more residues");
+  for (const std::uint32_t atom : atoms)
+    if (atom >= model.positions.size()) throw InputError(where + "no such atom");
+  if (!std::ranges::all_of(goal, is_finite)) throw InputError(where + "is not finite");
+}
+
 }  // namespace
+
+PathEnds ends_at(const Structure& start, std::vector<std::uint32_t> atoms, std::vector<Vec3> goal,
+                 const PathOptions& options, std::vector<Vec3> from) {
+  check(options);
+  const MolecularModel whole = model_of_start(start, options.model);
+  check_goal(whole, atoms, goal);
+  MatchedSide side{.traced = atoms, .residues = {}, .asked = atoms};
+  std::vector<Vec3> here;
+  for (const std::uint32_t atom : atoms) {
+    side.residues.push_back(whole.structure.atoms.residue_of[atom]);
+    here.push_back(whole.positions[atom]);
+  }
+  const Indices leader = leaders(whole, side);
+  std::vector<MolecularContact> held, to_lose;
+  for (const MolecularContact& contact : whole.contacts)
+    (keeps(contact, leader, here, goal) ? held : to_lose).push_back(contact);
+  PathEnds found{.start = side_of(model_with(start, std::move(held), options.model), side),
+                 .end = std::nullopt,
+                 .goal = std::move(goal),
+                 .matched = atoms.size(),
+                 .end_contacts = 0,
+                 .to_lose = std::move(to_lose),
+                 .to_make = {},
+                 .source_of_end = "",
+                 .notes = {}};
+  if (from.empty()) return found;
+  if (from.size() != whole.positions.size())
+    throw InputError(whole.structure.source + ": begun: expected a frame of its model");
+  found.start.model.positions = std::move(from);
+  return found;
+}
 
 PathEnds match_ends(const Structure& start, const Structure& end, const PathOptions& options) {
   check(options);

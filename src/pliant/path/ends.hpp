@@ -42,4 +42,15 @@ struct PathEnds {
 /// nor nucleic acids.
 PathEnds match_ends(const Structure& start, const Structure& end, const PathOptions& options = {});
 
+/// Ends whose goal is not a structure, but the places of some atoms of the start's model: `goal`
+/// (K, Angstrom) of `atoms` (K, one of each residue, rising; three or more). Contacts are held
+/// unless the goal changes the distance of their residues by more than 2 Angstrom; those are
+/// to_lose. The walk begins `from` another frame of the model (N), or where the start is. Throws
+/// OptionError, and InputError for atoms that do not exist or goals that are not finite.
+PathEnds ends_at(const Structure& start, std::vector<std::uint32_t> atoms, std::vector<Vec3> goal,
+                 const PathOptions& options = {}, std::vector<Vec3> from = {});
+
+/// The model of a start, as ends have it, with all contacts that are found.
+MolecularModel model_of_start(const Structure& structure, ModelOptions options);
+
 }  // namespace pliant

@@ -23,6 +23,7 @@ BENCHES = {
     "study": "what a study takes, stage by stage",
     "validity": "sampled ensembles beside NMR, MD, crystals and known motions, with ANM and GNM",
     "coverage": "whether the ensemble of one known structure contains the other, with ANM",
+    "fit": "how near fits to distances of the other structure of a pair come to it",
     "domains": "whether reported domains repeat between seeds, and are those of known pairs",
     "conformers": "conformers of small molecules beside ETKDGv3 (RDKit) and CONFORGE (CDPKit)",
 }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Fits of nodes to distances.
+#include "pliant/fit/fit_nodes.hpp"
+
+#include "arrays.hpp"
+#include "molecule/structure.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/base/threads/threads.hpp"
+#include "pliant/fit/distance_term.hpp"
+#include "pliant/model/atoms/residue_nodes.hpp"
+
+namespace pliant::python {
+namespace {
+
+/// Chains by equal numbers that follow each other, as residue_nodes() gives them.
+std::vector<std::uint32_t> chains_of(const ArrayLike& chains) {
+  std::vector<std::uint32_t> out;
+  for (const std::int64_t chain : integers_from(chains, "chains"))
+    out.push_back(static_cast<std::uint32_t>(chain));
+  return out;
+}
+
+/// (K) distances of pairs of nodes.
+std::vector<FitDistance> distances_of(const ArrayLike& pairs, const ArrayLike& low,
+                                      const ArrayLike& high, std::size_t nodes) {
+  const std::vector<Bar> ends = pairs_from(pairs, "pairs", nodes);
+  const std::vector<double> least = reals_from(low, "low"), most = reals_from(high, "high");
+  if (least.size() != ends.size() || most.size() != ends.size())
+    throw InputError("low, high: expected one for each pair");
+  std::vector<FitDistance> out;
+  for (std::size_t k = 0; k < ends.size(); ++k)
+    out.push_back({ends[k].a, ends[k].b, least[k], most[k]});
+  return out;
+}
+
+nb::tuple fitted(const GivenFrames& starts, const ArrayLike& chains, const ArrayLike& pairs,
+                 const ArrayLike& low, const ArrayLike& high) {
+  const std::size_t count = starts.shape(0), nodes = starts.shape(1);
+  const std::vector<std::uint32_t> chain = chains_of(chains);
+  if (chain.size() != nodes) throw InputError("chains: expected one for each node");
+  const std::vector<FitDistance> data = distances_of(pairs, low, high, nodes);
+  std::vector<Vec3> all(count * nodes);
+  std::vector<double> strain(count), misfit(count);
+  {
+    const nb::gil_scoped_release no_gil;
+    for_each_in_threads(all_processors(), count, [&](std::size_t k) {
+      const std::span<const Vec3> start = frame_of(starts, k);
+      DistanceTerm term(data);
+      FitTerm* const terms[] = {&term};
+      const FittedNodes found = fit_nodes({{start.begin(), start.end()}, chain}, terms);
+      std::ranges::copy(found.positions, all.begin() + std::ptrdiff_t(k * nodes));
+      strain[k] = found.strain;
+      misfit[k] = found.misfit;
+    });
+  }
+  return nb::make_tuple(new_frames(std::move(all), count, nodes), array_of(std::move(strain)),
+                        array_of(std::move(misfit)));
+}
+
+/// Residues alone: (M) their atoms, (M) chains.
+nb::tuple nodes_to_fit(const Structure& structure) {
+  const ResidueNodes found = residue_nodes(structure);
+  std::vector<std::int64_t> atoms, chains;
+  for (std::size_t k = 0; k < found.positions.size(); ++k) {
+    if (!found.is_residue[k]) continue;
+    atoms.push_back(found.atom[k]);
+    chains.push_back(found.chain[k]);
+  }
+  return nb::make_tuple(array_of(std::move(atoms)), array_of(std::move(chains)));
+}
+
+}  // namespace
+
+void bind_fit(nb::module_& module) {
+  module.def("nodes_to_fit", &nodes_to_fit, "structure"_a,
+             nb::sig("def nodes_to_fit(structure: Structure) -> "
+                     "tuple[numpy.typing.NDArray[numpy.int64], numpy.typing.NDArray[numpy.int64]]"),
+             "The atom of each residue of a polymer (CA, P), and the number of its chain.");
+  module.def("fit_nodes", &fitted, "starts"_a, "chains"_a, "pairs"_a, "low"_a, "high"_a,
+             nb::sig("def fit_nodes(starts: numpy.typing.NDArray[numpy.float64], "
+                     "chains: numpy.typing.ArrayLike, pairs: numpy.typing.ArrayLike, "
+                     "low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike) -> "
+                     "tuple[numpy.typing.NDArray[numpy.float64], "
+                     "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
+             "Fits nodes from each start (F, M, 3) to the distances of pairs (K, 2) of them, each "
+             "from low (K)\nto high (K), Angstrom. Returns the fitted nodes, and of each fit the "
+             "strain and the misfit.");
+}
+
+}  // namespace pliant::python

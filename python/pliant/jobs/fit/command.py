@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""The command ``pliant fit``."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from pliant._core import OptionError, path_rows
+from pliant.base import console
+from pliant.base.said import notes_shown_by
+from pliant.jobs.fit.fit import fit
+from pliant.jobs.fit.fitted import FittedStructure
+
+EXIT_OFF = 3  #: data do not hold
+
+DESCRIPTION = """\
+Fits a structure to measured distances: shapes in reach of START that agree with the data, all atoms
+with exact bonds and angles, and what the data do not tell."""
+
+EPILOG = """\
+The table (CSV) has a header and a row for each distance, in Angstrom between alpha carbons (P of
+nucleotides). A label of FRET or DEER is some 5 to 15 A away from them: give it a wide interval.
+
+  site1,site2   residues: A:45, 45, or a selection of one residue
+  distance,error   or low,high: the interval in which it lies; high alone is an upper limit
+  kind   CA (the default), or a cross-link: DSS, BS3, DSSO (up to 30 A), EDC (20)
+
+Each distance is also predicted by fits to the others. One that they put 5 A or more outside of its
+interval, and without which START has to change much less, is let go and named. The spread by
+residue is precision: fits that agree may all be wrong where nothing was measured.
+
+exit codes: 0 all distances hold but those let go, 1 bad input or file, 2 bad option, 3 some do not
+hold
+
+examples:
+  pliant design open.pdb --distances 10
+  pliant fit open.pdb --distances measured.csv -o fitted.pdb
+  pliant fit open.cif --distances links.csv -o fitted.h5md --keep 20 --json
+  pliant path open.pdb fitted.pdb -o closing.h5md
+"""
+
+#: options that --help shows
+COMMON = ("--distances", "--output", "--keep", "--frames", "--seed", "--select")
+#: of a path alone
+NOT_OURS = ("atoms", "step", "both", "backtrack", "seed")
+
+
+def molecule_rows() -> list[dict[str, object]]:
+    """Options about the molecule and its model."""
+    return [row for row in path_rows() if row["name"] not in (*NOT_OURS, "keep")]
+
+
+def make_parser() -> console.Parser:
+    """The options of pliant fit."""
+    parser = console.Parser("fit", DESCRIPTION, EPILOG, COMMON)
+    add = parser.add_argument
+    add("start", metavar="START", help="PDB or mmCIF file of a protein or nucleic acid")
+    add("--distances", metavar="FILE", required=True, help="table of measured distances (CSV)")
+    text = "file of the fitted structures: .pdb, .cif, .h5md ..."
+    add("-o", "--output", metavar="FILE", required=True, help=text)
+    text = "how many fitted structures are written, the best first (default: 1)"
+    add("--keep", metavar="N", type=console.whole_number(1, most=40), default=1, help=text)
+    text = "frames of the ensemble that fits start from (default: 400)"
+    add("--frames", metavar="N", type=console.whole_number(50), default=400, help=text)
+    text = "of the ensemble (default: 0)"
+    add("--seed", metavar="N", type=console.whole_number(0), default=0, help=text)
+    console.add_rows(parser, molecule_rows())
+    add("--overwrite", action="store_true", help="replace the output")
+    add("--json", action="store_true", help="print the report as one JSON object")
+    return parser
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit code."""
+    arguments = make_parser().parse_args(words)
+    return console.run_command("fit", lambda: _fit(arguments))
+
+
+def _fit(arguments: argparse.Namespace) -> int:
+    _check_outputs(arguments)
+    with notes_shown_by(console.note):
+        found = fit(
+            arguments.start,
+            arguments.distances,
+            frames=arguments.frames,
+            keep=arguments.keep,
+            seed=arguments.seed,
+            output=arguments.output,
+            overwrite=arguments.overwrite,
+            **console.given(arguments, molecule_rows()),
+        )
+    if arguments.json:
+        console.print_json({"output": arguments.output, **found.as_json()})
+    else:
+        _print(found, arguments.output)
+    return console.EXIT_OK if found.agrees else EXIT_OFF
+
+
+def _check_outputs(arguments: argparse.Namespace) -> None:
+    if Path(arguments.output).exists() and not arguments.overwrite:
+        raise OptionError(f"output {arguments.output}: exists; --overwrite replaces it")
+    names = (arguments.start, arguments.distances, arguments.output)
+    if len({os.path.realpath(name) for name in names}) < len(names):
+        raise OptionError("two of the files are one: START, --distances and --output must differ")
+
+
+def _print(found: FittedStructure, output: str) -> None:
+    for one in found.data:
+        predicted = "-" if one.predicted is None else f"{one.predicted:.1f}"
+        off = "let go" if one.contradicts else f"{one.violation:+.2f}" if one.violation else "holds"
+        print(
+            f"{one.name:23s} asked {one.low:5.1f} to {one.high:5.1f}  START {one.at_start:5.1f}  "
+            f"found {one.found:5.1f}  {off:7s} by the others {predicted:>5s}"
+        )
+    for label, text in found.facts():
+        print(f"{label:15s} {text}")
+    print(f"{'written':15s} {console.printable_name(output)}, in {found.seconds:.1f} s")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+"""What a fit found: structures, how they agree with the data, and what is not known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pliant._core import MolecularModel, Structure
+from pliant.base.display import Displayed, Facts
+from pliant.jobs.fit.data import Datum
+from pliant.jobs.fit.nodes import LeftOut, violations
+from pliant.trajectory.frames import FramesInMemory
+from pliant.trajectory.trajectory import HasFrames, Trajectory
+
+ARRIVED = 0.5  #: Angstrom, r.m.s.: atoms so near have come to the fit
+HOLDS = 1.0  #: Angstrom: a datum violated by less holds
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """A datum, and what the best structure has."""
+
+    name: str  #: "A:45 - A:112"
+    low: float  #: Angstrom
+    high: float
+    at_start: float
+    found: float
+    violation: float  #: above 0 where too long
+    contradicts: bool  #: it cannot hold with the others, and was let go
+    predicted: float | None  #: by fits to the others
+
+
+@dataclass(frozen=True)
+class Whole:
+    """An all-atom structure, and what it took."""
+
+    positions: np.ndarray  #: (N, 3) Angstrom
+    short_of_fit: float  #: how far its residues are from those of the fit, r.m.s. Angstrom
+    contacts_let_go: int
+    max_residual: float  #: worst bar, relative to its length
+    overlap: float  #: Angstrom
+    tightest: str
+
+
+@dataclass
+class FittedStructure(HasFrames, Displayed):
+    """Structures that agree with measured distances, the best first."""
+
+    model: MolecularModel = field(repr=False)  #: of the start
+    kept: list[Whole] = field(repr=False)
+    data: list[Agreement]
+    labels: list[str] = field(repr=False)  #: (M) residues
+    spread: np.ndarray = field(repr=False)  #: (M) Angstrom, over all fits that agree
+    rmsd_from_start: float  #: of alpha carbons, Angstrom
+    agreeing: int  #: fits that agree about as well as the best
+    fits: int
+    off_at_start: float  #: violation of the start by the data that were kept, r.m.s. Angstrom
+    off_left_out: float | None  #: by which the others miss a datum, r.m.s. Angstrom
+    seconds: float = 0.0
+
+    @property
+    def structure(self) -> Structure:
+        """The molecule, prepared."""
+        return self.model.structure
+
+    @property
+    def positions(self) -> np.ndarray:
+        """(n, N, 3) Angstrom, the best first."""
+        return np.array([one.positions for one in self.kept])
+
+    @property
+    def trajectory(self) -> Trajectory:
+        """The structures, in memory."""
+        return Trajectory._of(FramesInMemory(self.structure, self.positions))
+
+    @property
+    def agrees(self) -> bool:
+        """Whether all data hold but those that contradict the others."""
+        return all(abs(one.violation) <= HOLDS for one in self.data if not one.contradicts)
+
+    def verdict(self) -> str:
+        """In words: whether data and structure agree, and what that is worth."""
+        used = [one for one in self.data if not one.contradicts]
+        holding = sum(abs(one.violation) <= HOLDS for one in used)
+        agree = "agree" if self.agrees else "do not agree"
+        parts = [
+            f"Data and structure {agree}: {holding} of {len(self.data)} distances hold within "
+            f"{HOLDS:g} A.",
+            *(f"{one.name} cannot hold with the others." for one in self.data if one.contradicts),
+            f"The fits that agree differ by {np.median(self.spread):.1f} A (median residue).",
+        ]
+        short = self.kept[0].short_of_fit
+        if short > ARRIVED:
+            parts.append(f"The atoms stop {short:.1f} A short of the fit.")
+        if self.off_at_start <= HOLDS:
+            parts.append("START agrees as it is.")
+        elif self.off_left_out is not None and self.off_left_out >= self.off_at_start:
+            parts.append("The data do not predict each other: do not rely on this fit.")
+        return " ".join(parts)
+
+    def facts(self) -> Facts:
+        """How it agrees, and what is not known."""
+        best = self.kept[0]
+        tightest = f" ({best.tightest})" if best.tightest else ""
+        missed = "" if self.off_left_out is None else f"; left out, by {self.off_left_out:.2f} A"
+        return [
+            ("verdict", self.verdict()),
+            ("moved", f"{self.rmsd_from_start:.2f} A from START (alpha carbons, r.m.s.)"),
+            ("violations", f"START's {self.off_at_start:.2f} A r.m.s.{missed}"),
+            ("spread", f"{self.spread.min():.1f} to {self.spread.max():.1f} A by residue, over "
+                       f"{self.agreeing} of {self.fits} fits: precision, not accuracy"),
+            ("contacts", f"{best.contacts_let_go} let go"),
+            ("quality", f"bonds and angles off by {best.max_residual:.0e} at most, overlap "
+                        f"{best.overlap:.3f} A{tightest}"),
+        ]  # fmt: skip
+
+    def as_json(self) -> dict[str, Any]:
+        """All of it but the positions."""
+        best = self.kept[0]
+        return {
+            "verdict": self.verdict(),
+            "agrees": self.agrees,
+            "distances": [vars(one) for one in self.data],
+            "rmsd_from_start": self.rmsd_from_start,
+            "off_at_start": self.off_at_start,
+            "off_left_out": self.off_left_out,
+            "fits": self.fits,
+            "agreeing": self.agreeing,
+            "kept": len(self.kept),
+            "short_of_fit": best.short_of_fit,
+            "contacts_let_go": best.contacts_let_go,
+            "worst_residual": max(one.max_residual for one in self.kept),
+            "overlap": max(one.overlap for one in self.kept),
+            "tightest": best.tightest,
+            "spread": dict(zip(self.labels, self.spread.tolist(), strict=True)),
+            "seconds": self.seconds,
+        }
+
+
+def agreement_of(
+    data: list[Datum],
+    start: np.ndarray,
+    found: np.ndarray,
+    contradicting: list[int],
+    left_out: dict[int, LeftOut],
+) -> list[Agreement]:
+    """Of nodes (M, 3) of the start and of the best structure."""
+    off = violations(found, data)
+    return [
+        Agreement(
+            one.name,
+            one.low,
+            one.high,
+            _apart(start, one.pair),
+            _apart(found, one.pair),
+            float(off[k]),
+            k in contradicting,
+            left_out[k].predicted if k in left_out else None,
+        )
+        for k, one in enumerate(data)
+    ]
+
+
+def _apart(nodes: np.ndarray, pair: tuple[int, int]) -> float:
+    return float(np.linalg.norm(nodes[pair[0]] - nodes[pair[1]]))

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: MIT
+"""Measures fits: distances of the other structure of a pair, given to a fit of the one."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from pliant._core import Error, InputError, PathOptions
+from pliant.jobs.fit import nodes as at_nodes
+from pliant.jobs.fit.data import Datum
+from pliant.jobs.fit.design import best_pairs, labelled
+from pliant.jobs.fit.fit import FRAMES, Molecule
+from pliant.lab.pairs.directions import Direction, Judge, directions_of
+from pliant.lab.pool import each_done
+from pliant.lab.results import Cell, Results, print_table
+from pliant.lab.structures import amino_part, quiet, read_quietly
+from pliant.trajectory.superposition import superpose_onto
+
+ERROR = 1.0  #: Angstrom
+WRONG = 15.0
+ANY = (0.0, np.inf)
+COUNTS = (5, 10, 20)
+RANDOM, MISTAKEN = "10 random", "10 designed, 1 wrong"
+LIMITS = (3.0, 2.0)  #: Angstrom
+APART = 8  #: more residues between two that are drawn
+
+
+@dataclass(frozen=True)
+class Fit:
+    """One direction, one set of distances."""
+
+    protein: str
+    direction: str
+    residues: int
+    data: str
+    at_start: float  #: r.m.s. distance of alpha carbons from the goal (Angstrom)
+    reached: float
+    within: float  #: share of residues whose error is at most twice their spread
+    named: bool  #: the wrong one was let go, and no other; where none is wrong, none was
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Share:
+    """All directions, one set of distances."""
+
+    data: str
+    directions: int
+    at_start: float
+    reached: float
+    below_3: float
+    below_2: float
+    within: float
+    named: int
+    seconds: float
+
+
+SHARES: dict[str, Cell] = {
+    "distances": "data",
+    "directions": "directions",
+    "at first, A": "at_start:.2f",
+    "reached, A": "reached:.2f",
+    "below 3 A": "below_3:.2f",
+    "below 2 A": "below_2:.2f",
+    "error within 2 spreads": "within:.2f",
+    "named": "named",
+    "s": "seconds:.1f",
+}
+
+
+@dataclass
+class Fits(Results):
+    """The whole table."""
+
+    rows: list[Fit] = field(default_factory=list)
+    shares: list[Share] = field(default_factory=list)
+    skipped: list[str] = field(default_factory=list)
+
+    def print_report(self) -> None:
+        """A line a set of distances; then what could not be measured."""
+        print("r.m.s. distance of alpha carbons from the other structure, which the data are from")
+        print_table(self.shares, SHARES)
+        for line in self.skipped:
+            print(f"not measured: {line}")
+
+
+def fits(
+    folder: str | Path,
+    residues: int = 350,
+    *,
+    seed: int = 0,
+    processes: int = 1,
+    progress: Callable[[int, int], object] = lambda *_: None,
+) -> Fits:
+    """All directions of a folder (see ``directions_of``) of at most so many residues."""
+    directions = directions_of(Path(folder))
+    work = partial(_of_direction, residues, seed)
+    found = Fits()
+    for done, part in enumerate(each_done(work, directions, processes), start=1):
+        found.rows += part.rows
+        found.skipped += part.skipped
+        progress(done, len(directions))
+    for data in dict.fromkeys(row.data for row in found.rows):
+        found.shares.append(_share([row for row in found.rows if row.data == data]))
+    return found
+
+
+def _share(rows: Sequence[Fit]) -> Share:
+    reached = np.array([row.reached for row in rows])
+    return Share(
+        data=rows[0].data,
+        directions=len(rows),
+        at_start=float(np.mean([row.at_start for row in rows])),
+        reached=float(reached.mean()),
+        below_3=float((reached < LIMITS[0]).mean()),
+        below_2=float((reached < LIMITS[1]).mean()),
+        within=float(np.mean([row.within for row in rows])),
+        named=sum(row.named for row in rows),
+        seconds=float(np.mean([row.seconds for row in rows])),
+    )
+
+
+def _of_direction(residues: int, seed: int, direction: Direction) -> Fits:
+    try:
+        with quiet():
+            return Fits(_Case(residues, seed, direction).rows())
+    except Error as error:
+        return Fits(skipped=[f"{direction.protein}, {direction.name}: {error}"])
+
+
+class _Case:
+    """A start with its ensemble, and the goal."""
+
+    def __init__(self, residues: int, seed: int, direction: Direction) -> None:
+        start = amino_part(read_quietly(direction.start))
+        self.begun = time.perf_counter()
+        self.direction = direction
+        self.molecule = Molecule(start, FRAMES, seed, PathOptions())
+        if len(self.molecule.atoms) > residues:
+            raise InputError(f"more than {residues} residues")
+        self.molecule.sampled()
+        self.sampled = time.perf_counter() - self.begun
+        self.of = self.molecule.ensemble
+        judge = Judge(direction, self.molecule.model.structure)
+        node = {int(atom): k for k, atom in enumerate(self.molecule.atoms)}
+        self.shared = np.array([node[int(atoms[1])] for atoms in judge.atoms])
+        self.goal = judge.goal[:, 1]
+        self.random = np.random.default_rng(seed)
+
+    def rows(self) -> list[Fit]:
+        shared = set(self.shared.tolist())
+        sites = [k for k in labelled(self.molecule, "any", ()) if k in shared]
+        made = best_pairs(self.of.frames, sites, COUNTS[-1], ANY, gained=0.0)
+        pairs = [one.pair for one in made]
+        found = [row for k in COUNTS for row in self.both(f"{k} designed", self.data(pairs[:k]))]
+        found += self.both(RANDOM, self.data(self.drawn()))
+        wrong = int(self.random.integers(min(10, len(pairs))))
+        return [*found, *self.both(MISTAKEN, self.data(pairs[:10], wrong), wrong)]
+
+    def both(self, name: str, data: list[Datum], wrong: int | None = None) -> list[Fit]:
+        """At the nodes, and with all atoms."""
+        begun = time.perf_counter()
+        known = at_nodes.consistent(self.of, data)
+        rows = [self.row(name, known, known.fits.positions[0], wrong, begun)]
+        atoms = self.molecule.brought(known.fits, 0).positions[self.molecule.atoms]
+        return [*rows, self.row(f"{name}, all atoms", known, atoms, wrong, begun)]
+
+    def row(
+        self,
+        name: str,
+        known: at_nodes.Consistent,
+        nodes: np.ndarray,
+        wrong: int | None,
+        begun: float,
+    ) -> Fit:
+        apart = self.apart(nodes)
+        within = apart <= 2 * known.fits.spread[self.shared]
+        return Fit(
+            protein=self.direction.protein,
+            direction=self.direction.name,
+            residues=len(self.shared),
+            data=name,
+            at_start=_rms(self.apart(self.of.start)),
+            reached=_rms(apart),
+            within=float(within.mean()),
+            named=known.contradicting == ([] if wrong is None else [wrong]),
+            seconds=self.sampled + time.perf_counter() - begun,
+        )
+
+    def apart(self, nodes: np.ndarray) -> np.ndarray:
+        """How far each residue is from where it is in the goal, superposed."""
+        moved = superpose_onto(nodes[self.shared][None], slice(None), self.goal)[0]
+        return np.asarray(np.linalg.norm(moved - self.goal, axis=1))
+
+    def drawn(self) -> list[tuple[int, int]]:
+        pairs: list[tuple[int, int]] = []
+        while len(pairs) < COUNTS[1]:
+            one, other = sorted(self.random.choice(self.shared, 2, replace=False).tolist())
+            if other - one > APART:
+                pairs.append((one, other))
+        return pairs
+
+    def data(self, pairs: Sequence[tuple[int, int]], wrong: int | None = None) -> list[Datum]:
+        place = {int(node): k for k, node in enumerate(self.shared)}
+        found = []
+        for k, (one, other) in enumerate(pairs):
+            middle = float(np.linalg.norm(self.goal[place[one]] - self.goal[place[other]]))
+            if k == wrong:
+                middle += WRONG if middle < WRONG + 4 or self.random.random() < 0.5 else -WRONG
+            found.append(Datum(str(k), (one, other), middle - ERROR, middle + ERROR))
+        return found
+
+
+def _rms(lengths: np.ndarray) -> float:
+    return float(np.sqrt((lengths**2).mean()))

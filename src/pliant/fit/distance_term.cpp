@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/fit/distance_term.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+double outside(const FitDistance& datum, double distance) {
+  return distance > datum.high ? distance - datum.high : std::min(0.0, distance - datum.low);
+}
+
+void DistanceTerm::begin(std::size_t stage, std::span<const Vec3> /*nodes*/) {
+  weight_ = fit_weights[stage];
+}
+
+double DistanceTerm::add(std::span<const Vec3> nodes, std::span<Vec3> gradient) const {
+  double value = 0.0;
+  for (const FitDistance& datum : data_) {
+    const Vec3 between = nodes[datum.a] - nodes[datum.b];
+    const double r = norm(between), u = outside(datum, r);
+    if (u == 0.0) continue;
+    value += weight_ * u * u;
+    const Vec3 force = (2.0 * weight_ * u / std::max(r, 1e-9)) * between;
+    gradient[datum.a] += force;
+    gradient[datum.b] -= force;
+  }
+  return value;
+}
+
+}  // namespace pliant

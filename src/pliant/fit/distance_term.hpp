@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Measured distances as a term of a fit: intervals that pull where they are violated.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "pliant/fit/fit_term.hpp"
+
+namespace pliant {
+
+/// What is known of the distance of two nodes.
+struct FitDistance {
+  std::uint32_t a = 0, b = 0;
+  double low = 0.0, high = std::numeric_limits<double>::infinity();  ///< Angstrom
+};
+
+/// How far a distance is outside of its interval: above 0 where it is too long (Angstrom).
+double outside(const FitDistance& datum, double distance);
+
+/// w u^2 of each violation u, with the weights w of the stages. Which data cannot hold with the
+/// others is not decided here: fits without them tell.
+class DistanceTerm : public FitTerm {
+ public:
+  /// The data must outlive it.
+  explicit DistanceTerm(std::span<const FitDistance> data) : data_(data) {}
+  void begin(std::size_t stage, std::span<const Vec3> nodes) override;
+  double add(std::span<const Vec3> nodes, std::span<Vec3> gradient) const override;
+
+ private:
+  std::span<const FitDistance> data_;
+  double weight_ = 0.0;
+};
+
+}  // namespace pliant
