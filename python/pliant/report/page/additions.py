@@ -6,9 +6,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from pliant.measure.stages.analysis import Analysis
 from pliant.report.section import Section
+
+if TYPE_CHECKING:
+    from pliant.measure.stages.analysis import Analysis
 
 
 @dataclass(frozen=True)
