@@ -53,7 +53,7 @@ def rmsd(points, goal):
 
 @pytest.fixture(scope="module")
 def closing():
-    return pliant.fit(OPEN, measured(), frames=200, keep=2)
+    return pliant.fit(OPEN, measured(), frames=100)
 
 
 def off_the_closed(fit, frame=0):
@@ -73,7 +73,7 @@ def test_eight_distances_close_it(closing):
 def test_what_is_kept_is_exact(closing):
     framework = closing.model.framework
     bars, rest = framework.bars, framework.rest_lengths
-    assert len(closing.kept) == len(closing) == 2
+    assert len(closing.kept) == len(closing) == 1
     for positions in closing.positions:
         lengths = np.linalg.norm(positions[bars[:, 1]] - positions[bars[:, 0]], axis=1)
         assert np.abs(lengths / rest - 1).max() < 1e-9
@@ -90,6 +90,7 @@ def test_found_distances_are_those_of_the_structure(closing):
         assert one.violation == pytest.approx(max(0, apart - one.high) + min(0, apart - one.low))
 
 
+@pytest.mark.long
 def test_a_wrong_distance_is_named():
     fit = pliant.fit(OPEN, measured(wrong=2), frames=200)
     assert [one.contradicts for one in fit.data] == [k == 2 for k in range(len(PAIRS))]
@@ -98,7 +99,7 @@ def test_a_wrong_distance_is_named():
 
 
 def test_the_same_seed_gives_the_same_bits():
-    one, other = (pliant.fit(OPEN, measured()[:2], frames=60) for _ in range(2))
+    one, other = (pliant.fit(OPEN, measured()[:2], frames=50, keep=2) for _ in range(2))
     assert np.array_equal(one.positions, other.positions)
 
 

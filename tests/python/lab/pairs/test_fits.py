@@ -23,6 +23,7 @@ def pair(tmp_path):
     return tmp_path
 
 
+@pytest.mark.long
 def test_fits_come_nearer_and_are_told_in_shares(pair, monkeypatch, capsys):
     monkeypatch.setattr(measure, "FRAMES", 100)
     monkeypatch.setattr(measure, "COUNTS", (3, 5))
