@@ -69,7 +69,7 @@ SHARES: dict[str, Cell] = {
     "below 3 A": "below_3:.2f",
     "below 2 A": "below_2:.2f",
     "error within 2 spreads": "within:.2f",
-    "named": "named",
+    "rightly named": "named",
     "s": "seconds:.1f",
 }
 

@@ -3,29 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <utility>
+
+#include "pliant/base/math/lbfgs_memory.hpp"
 
 namespace pliant {
 namespace {
 
 using Points = std::vector<Vec3>;
-
-double inner(const Points& a, const Points& b) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += dot(a[k], b[k]);
-  return sum;
-}
-
-void add(double factor, const Points& from, Points& to) {
-  for (std::size_t k = 0; k < to.size(); ++k) to[k] += factor * from[k];
-}
-
-Points difference(const Points& a, const Points& b) {
-  Points out = a;
-  add(-1.0, b, out);
-  return out;
-}
 
 double largest(const Points& points) {
   double most = 0.0;
@@ -33,16 +18,10 @@ double largest(const Points& points) {
   return most;
 }
 
-/// A step that was made, and how it changed the gradient.
-struct Pair {
-  Points step, change;
-  double product;  ///< of both, above 0
-};
-
 class Descent {
  public:
   Descent(const ValueAndGradient& function, Points& x, const MinimiseOptions& options)
-      : function_(function), options_(options), x_(x), gradient_(x.size()) {
+      : function_(function), options_(options), x_(x), gradient_(x.size()), known_(options.memory) {
     found_.value = evaluate(x_, gradient_);
   }
 
@@ -59,40 +38,24 @@ class Descent {
     return function_(x, gradient);
   }
 
-  /// Two loops over what is known of the curvature, from the gradient to the way down.
   Points way() const {
-    Points out = gradient_;
-    std::vector<double> shares;
-    for (auto pair = known_.rbegin(); pair != known_.rend(); ++pair) {
-      shares.push_back(inner(pair->step, out) / pair->product);
-      add(-shares.back(), pair->change, out);
-    }
-    const double scale =
-        known_.empty() ? 1.0 / std::max(1.0, largest(gradient_))
-                       : known_.back().product / inner(known_.back().change, known_.back().change);
-    for (Vec3& v : out) v *= -scale;
-    for (const Pair& pair : known_) {
-      const double share = inner(pair.change, out) / pair.product;
-      add(-shares.back() - share, pair.step, out);
-      shares.pop_back();
-    }
-    return out;
+    return known_.direction(gradient_, 1.0 / std::max(1.0, largest(gradient_)));
   }
 
   /// Shortens the step until it gains enough (Armijo). False where none gains.
   bool step() {
     constexpr double enough = 1e-4, most_shorter = 0.1, shortest = 1e-10;
     Points along = way();
-    double slope = inner(gradient_, along);
+    double slope = points::inner(gradient_, along);
     if (!(slope < 0.0)) {
-      known_.clear();
+      known_.forget();
       along = way();
-      slope = inner(gradient_, along);
+      slope = points::inner(gradient_, along);
     }
     Points there(x_.size()), gradient(x_.size());
     for (double length = 1.0; length > shortest;) {
       there = x_;
-      add(length, along, there);
+      points::add(length, along, there);
       const double value = evaluate(there, gradient);
       if (value <= found_.value + enough * length * slope) return take(there, gradient, value);
       const double parabola = -0.5 * slope * length / ((value - found_.value) / length - slope);
@@ -102,11 +65,9 @@ class Descent {
   }
 
   bool take(Points& there, Points& gradient, double value) {
-    Pair made{difference(there, x_), difference(gradient, gradient_), 0.0};
-    made.product = inner(made.step, made.change);
-    // Without positive curvature the estimate would no longer be that of a minimum.
-    if (made.product > 1e-12 * inner(made.change, made.change)) known_.push_back(std::move(made));
-    if (known_.size() > options_.memory) known_.pop_front();
+    Points change = points::difference(gradient, gradient_);
+    const double least = 1e-12 * points::inner(change, change);
+    known_.keep(points::difference(there, x_), std::move(change), least);
     const double gain = found_.value - value;
     x_.swap(there);
     gradient_.swap(gradient);
@@ -118,7 +79,7 @@ class Descent {
   const MinimiseOptions& options_;
   Points& x_;
   Points gradient_;
-  std::deque<Pair> known_;
+  LbfgsMemory known_;
   Minimum found_;
 };
 
