@@ -11,7 +11,7 @@ import numpy as np
 
 from pliant._core import PlausibleShapes, fit_nodes
 from pliant.jobs.fit.data import Datum
-from pliant.trajectory.superposition import superpose_onto
+from pliant.trajectory.superposition import rmsd_to, superpose_onto
 
 STARTS = 40  #: frames that are fitted
 MOST_LEFT_OUT = 20  #: data that are left out, one at a time
@@ -87,19 +87,12 @@ def fitted(of: Ensemble, data: Sequence[Datum], starts: int = STARTS) -> NodeFit
     evidence = PlausibleShapes(of.start).scores(shapes) - (strain + misfit) / ENERGY
     weights = np.exp(evidence - evidence.max())
     weights /= weights.sum()
-    first = int(np.argmin(_square_distances(shapes) @ weights))
+    first = int(np.argmin(rmsd_to(shapes, shapes) ** 2 @ weights))
     order = np.argsort(-weights, kind="stable")
     order = np.concatenate([[first], order[order != first]])
     shapes = superpose_onto(shapes[order], slice(None), shapes[first])
     off = violations(shapes, data)
     return NodeFits(shapes, frames[order], weights[order], off, float(-ENERGY * evidence.max()))
-
-
-def _square_distances(shapes: np.ndarray) -> np.ndarray:
-    """(n, n) mean square distances, superposed."""
-    every = range(len(shapes))
-    on_each = [superpose_onto(shapes, slice(None), shapes[k]) - shapes[k] for k in every]
-    return np.array([(moved**2).sum(axis=2).mean(axis=1) for moved in on_each])
 
 
 @dataclass(frozen=True)
