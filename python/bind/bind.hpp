@@ -36,6 +36,7 @@ void bind_rigidity(nb::module_& module);
 void bind_run(nb::module_& module);
 void bind_run_summary(nb::module_& module);
 void bind_sample(nb::module_& module);
+void bind_scattering(nb::module_& module);
 void bind_text(nb::module_& module);
 void bind_walkers(nb::module_& module);
 

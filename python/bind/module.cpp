@@ -34,6 +34,7 @@ NB_MODULE(_core, module) {
   bind_path(module);
   bind_density_map(module);
   bind_fit(module);
+  bind_scattering(module);
   bind_laboratory(module);
   name_unfit_arguments(module);
 }

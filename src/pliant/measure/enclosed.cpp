@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
-#include "pliant/base/math/elementary.hpp"
 #include "pliant/measure/grid.hpp"
+#include "pliant/measure/spread_directions.hpp"
 
 namespace pliant {
 namespace {
@@ -18,17 +17,9 @@ constexpr double ray_cell = 1.0;  ///< Angstrom
 
 using Rays = std::array<Vec3, ray_count>;
 
-/// Unit vectors, evenly over the sphere: a spiral by the golden angle.
-Rays spiral() {
+Rays spread_rays() {
   Rays rays;
-  for (std::size_t k = 0; k < ray_count; ++k) {
-    const double turn = static_cast<double>(k) + 0.5;
-    const double z = 1.0 - 2.0 * turn / static_cast<double>(ray_count);
-    const double r = std::sqrt(1.0 - z * z);
-    const double angle =
-        std::remainder(std::numbers::pi * (1.0 + std::sqrt(5.0)) * turn, 2.0 * std::numbers::pi);
-    rays[k] = {r * exact_bits_cos(angle), r * exact_bits_cos(angle - std::numbers::pi / 2.0), z};
-  }
+  std::ranges::copy(spread_directions(ray_count), rays.begin());
   return rays;
 }
 
@@ -119,7 +110,7 @@ std::size_t count_enclosed(std::span<const Vec3> points, std::span<const Vec3> p
                            std::span<const double> radii) {
   if (points.empty()) return 0;
   const FilledCells cells(points, positions, radii);
-  static const Rays rays = spiral();
+  static const Rays rays = spread_rays();
   return static_cast<std::size_t>(
       std::ranges::count_if(points, [&](Vec3 point) { return cells.is_enclosed(point, rays); }));
 }

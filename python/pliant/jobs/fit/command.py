@@ -14,12 +14,13 @@ from pliant.base import console
 from pliant.base.said import notes_shown_by
 from pliant.jobs.fit.fit import fit
 from pliant.jobs.fit.fitted import FittedStructure
+from pliant.jobs.fit.saxs.explained import FittedCurve
 
 EXIT_OFF = 3  #: data do not hold
 
 DESCRIPTION = """\
-Fits a structure to measured distances: shapes in reach of START that agree with the data, all atoms
-with exact bonds and angles, and what the data do not tell."""
+Fits a structure to measured distances, or to a SAXS curve: shapes in reach of START that agree with
+the data, all atoms with exact bonds and angles, and what the data do not tell."""
 
 EPILOG = """\
 The table (CSV) has a header and a row for each distance, in Angstrom between alpha carbons (P of
@@ -33,18 +34,22 @@ Each distance is also predicted by fits to the others. One that they put 5 A or 
 interval, and without which START has to change much less, is let go and named. The spread by
 residue is precision: fits that agree may all be wrong where nothing was measured.
 
-exit codes: 0 all distances hold but those let go, 1 bad input or file, 2 bad option, 3 some do not
-hold
+With --saxs nothing is fitted: frames of an ensemble are chosen by their curves, computed with a layer
+of water. "#" begins comments; q is in 1/Angstrom. A curve is a dozen numbers: many shapes have it.
+
+exit codes: 0 all distances hold but those let go, or the curve is explained (chi^2 up to 1.5), 1 bad
+input or file, 2 bad option, 3 data are not met
 
 examples:
   pliant design open.pdb --distances 10
   pliant fit open.pdb --distances measured.csv -o fitted.pdb
+  pliant fit open.pdb --saxs curve.dat -o chosen.h5md --ensemble
   pliant fit open.cif --distances links.csv -o fitted.h5md --keep 20 --json
   pliant path open.pdb fitted.pdb -o closing.h5md
 """
 
 #: options that --help shows
-COMMON = ("--distances", "--output", "--keep", "--frames", "--seed", "--select")
+COMMON = ("--distances", "--saxs", "--ensemble", "--output", "--keep", "--frames", "--seed", "--select")
 #: of a path alone
 NOT_OURS = ("atoms", "step", "both", "backtrack", "seed")
 
@@ -59,7 +64,11 @@ def make_parser() -> console.Parser:
     parser = console.Parser("fit", DESCRIPTION, EPILOG, COMMON)
     add = parser.add_argument
     add("start", metavar="START", help="PDB or mmCIF file of a protein or nucleic acid")
-    add("--distances", metavar="FILE", required=True, help="table of measured distances (CSV)")
+    add("--distances", metavar="FILE", help="table of measured distances (CSV)")
+    add("--saxs", metavar="FILE", help="SAXS curve (text): q, I and sigma in each line")
+    text = "of a curve: the least number of frames that explain it together, and their weights"
+    add("--ensemble", action="store_true", help=text)
+    add("--background", action="store_true", help="of a curve: fit a constant, too")
     text = "file of the fitted structures: .pdb, .cif, .h5md ..."
     add("-o", "--output", metavar="FILE", required=True, help=text)
     text = "how many fitted structures are written, the best first (default: 1)"
@@ -86,6 +95,9 @@ def _fit(arguments: argparse.Namespace) -> int:
         found = fit(
             arguments.start,
             arguments.distances,
+            saxs=arguments.saxs,
+            ensemble=arguments.ensemble,
+            background=arguments.background,
             frames=arguments.frames,
             keep=arguments.keep,
             seed=arguments.seed,
@@ -95,17 +107,21 @@ def _fit(arguments: argparse.Namespace) -> int:
         )
     if arguments.json:
         console.print_json({"output": arguments.output, **found.as_json()})
+    elif isinstance(found, FittedCurve):
+        _print_curve(found, arguments.output)
     else:
         _print(found, arguments.output)
     return console.EXIT_OK if found.agrees else EXIT_OFF
 
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
+    if (arguments.distances is None) == (arguments.saxs is None):
+        raise OptionError("give one of --distances, --saxs")
     if Path(arguments.output).exists() and not arguments.overwrite:
         raise OptionError(f"output {arguments.output}: exists; --overwrite replaces it")
-    names = (arguments.start, arguments.distances, arguments.output)
+    names = (arguments.start, arguments.distances or arguments.saxs, arguments.output)
     if len({os.path.realpath(name) for name in names}) < len(names):
-        raise OptionError("two of the files are one: START, --distances and --output must differ")
+        raise OptionError("two of the files are one: START, data and --output must differ")
 
 
 def _print(found: FittedStructure, output: str) -> None:
@@ -116,6 +132,17 @@ def _print(found: FittedStructure, output: str) -> None:
             f"{one.name:23s} asked {one.low:5.1f} to {one.high:5.1f}  START {one.at_start:5.1f}  "
             f"found {one.found:5.1f}  {off:7s} by the others {predicted:>5s}"
         )
+    _print_facts(found, output)
+
+
+def _print_curve(found: FittedCurve, output: str) -> None:
+    print("frame  weight  Rg, A  RMSD from START, A")
+    for one in found.members:
+        print(f"{one.frame:5d}  {one.weight:6.3f}  {one.rg:5.2f}  {one.rmsd:.2f}")
+    _print_facts(found, output)
+
+
+def _print_facts(found: FittedStructure | FittedCurve, output: str) -> None:
     for label, text in found.facts():
         print(f"{label:15s} {text}")
     print(f"{'written':15s} {console.printable_name(output)}, in {found.seconds:.1f} s")

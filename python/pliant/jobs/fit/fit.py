@@ -15,6 +15,7 @@ from pliant._core import (
     FileError,
     InputError,
     MolecularModel,
+    OptionError,
     PathEnds,
     PathOptions,
     PathWalk,
@@ -27,9 +28,10 @@ from pliant.base.checked import SEED, checked, whole
 from pliant.jobs.fit import nodes as at_nodes
 from pliant.jobs.fit.data import Datum, Sites, in_nanometres, read_distances
 from pliant.jobs.fit.fitted import ARRIVED, FittedStructure, Whole, agreement_of
+from pliant.jobs.fit.saxs.explained import FittedCurve, fit_curve
 from pliant.trajectory.superposition import superpose_onto
 
-__all__ = ["FittedStructure", "fit"]
+__all__ = ["FittedCurve", "FittedStructure", "fit"]
 
 FRAMES = 400  #: of the ensemble that starts are taken from
 LEAST_NODES = 10
@@ -86,16 +88,20 @@ class Molecule:
 @checked(frames=whole(50), keep=whole(1), seed=SEED)
 def fit(
     start: Any,
-    distances: str | os.PathLike[str] | Sequence[Mapping[str, Any]],
+    distances: str | os.PathLike[str] | Sequence[Mapping[str, Any]] | None = None,
     *,
+    saxs: str | os.PathLike[str] | None = None,
+    ensemble: bool = False,
+    background: bool = False,
     frames: int = FRAMES,
     keep: int = 1,
     seed: int = 0,
     output: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
     **options: Any,
-) -> FittedStructure:
-    """Fits a structure to measured distances: all atoms, bonds and angles exact.
+) -> FittedStructure | FittedCurve:
+    """Fits a structure to measured distances, or chooses shapes by a SAXS curve: all atoms, bonds
+    and angles exact.
 
     Parameters
     ----------
@@ -105,10 +111,17 @@ def fit(
         CSV with a header, or the same fields: site1, site2 (residues: "A:45", "45" or a selection),
         and distance with error, or low and high, in Angstrom between alpha carbons; kind: CA (the
         default) or the reagent of a cross-link, DSS, BS3, DSSO (up to 30) or EDC (20).
+    saxs : str or path
+        In place of distances: a text of columns q (1/Angstrom), I and sigma. The result is a
+        ``pliant.jobs.fit.saxs.explained.FittedCurve``: the frame that explains the curve.
+    ensemble : bool
+        Of `saxs`: the least number of frames that explain it, and their weights.
+    background : bool
+        Of `saxs`: a constant is fitted, too.
     frames : int
         Of the ensemble from which starts are taken.
     keep : int
-        How many fitted structures are made of all atoms, the best first.
+        How many structures fitted to distances are made of all atoms, the best first.
     seed : int
         Of the ensemble.
     output : str or path, optional
@@ -121,7 +134,7 @@ def fit(
     Raises
     ------
     OptionError
-        An option out of range.
+        An option out of range, or of the other kind of data.
     InputError
         A file that cannot be read, or a row of the table that is wrong.
     FileError
@@ -130,17 +143,35 @@ def fit(
     begun = time.perf_counter()
     if output is not None and not overwrite and os.path.exists(output):
         raise FileError(f"{os.fspath(output)}: exists; overwrite=True replaces it")
+    _check_kind(distances, saxs, ensemble or background, keep)
     molecule = Molecule(start, frames, seed, PathOptions(**options))
-    data = read_distances(distances, molecule.sites)
-    if in_nanometres(data, np.asarray(molecule.model.positions)[molecule.atoms]):
-        warnings.warn("distances look as if they were in nm: Angstrom are asked for", PliantWarning,
-                      stacklevel=2)  # fmt: skip
-    molecule.sampled()
-    found = _fitted(molecule, data, keep)
+    found: FittedStructure | FittedCurve
+    if saxs is not None:
+        found = fit_curve(molecule, saxs, ensemble=ensemble, background=background, seed=seed)
+    else:
+        found = _fitted(molecule, _read(distances, molecule), keep)
     found.seconds = time.perf_counter() - begun
     if output is not None:
         found.save(output, overwrite=overwrite)
     return found
+
+
+def _check_kind(distances: Any, saxs: Any, is_of_saxs: bool, keep: int) -> None:
+    if (distances is None) == (saxs is None):
+        raise OptionError("give one of distances, saxs")
+    if is_of_saxs and saxs is None:
+        raise OptionError("ensemble, background: are for saxs")
+    if keep > 1 and saxs is not None:
+        raise OptionError(f"keep = {keep}: is for distances")
+
+
+def _read(distances: Any, molecule: Molecule) -> list[Datum]:
+    data = read_distances(distances, molecule.sites)
+    if in_nanometres(data, np.asarray(molecule.model.positions)[molecule.atoms]):
+        warnings.warn("distances look as if they were in nm: Angstrom are asked for", PliantWarning,
+                      stacklevel=3)  # fmt: skip
+    molecule.sampled()
+    return data
 
 
 def _fitted(molecule: Molecule, data: list[Datum], keep: int) -> FittedStructure:

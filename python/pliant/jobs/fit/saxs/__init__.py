@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Frames that explain a SAXS curve: ``pliant fit START --saxs``."""
