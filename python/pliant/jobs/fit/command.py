@@ -34,11 +34,12 @@ Each distance is also predicted by fits to the others. One that they put 5 A or 
 interval, and without which START has to change much less, is let go and named. The spread by
 residue is precision: fits that agree may all be wrong where nothing was measured.
 
-With --saxs nothing is fitted: frames of an ensemble are chosen by their curves, computed with a layer
-of water. "#" begins comments; q is in 1/Angstrom. A curve is a dozen numbers: many shapes have it.
+With --saxs nothing is deformed: frames of an ensemble are chosen by their curves, computed with the
+water around them. "#" begins comments; q is in 1/Angstrom. A curve is some ten numbers: many shapes
+have the same.
 
-exit codes: 0 all distances hold but those let go, or the curve is explained (chi^2 up to 1.5), 1 bad
-input or file, 2 bad option, 3 data are not met
+exit codes: 0 data are met (all distances but those let go; chi^2 of a curve up to 1.5), 1 bad input
+or file, 2 bad option, 3 data are not met
 
 examples:
   pliant design open.pdb --distances 10
@@ -49,7 +50,16 @@ examples:
 """
 
 #: options that --help shows
-COMMON = ("--distances", "--saxs", "--ensemble", "--output", "--keep", "--frames", "--seed", "--select")
+COMMON = (
+    "--distances",
+    "--saxs",
+    "--ensemble",
+    "--output",
+    "--keep",
+    "--frames",
+    "--seed",
+    "--select",
+)
 #: of a path alone
 NOT_OURS = ("atoms", "step", "both", "backtrack", "seed")
 

@@ -204,9 +204,7 @@ class Predicted:
         return best + 1
 
 
-def predicted(
-    weighed: Weighed, alone: Sequence[FrameSet], sets: Sequence[FrameSet]
-) -> Predicted:
+def predicted(weighed: Weighed, alone: Sequence[FrameSet], sets: Sequence[FrameSet]) -> Predicted:
     """By cross-validation: of each fifth of the curve, some blocks, by frames and weights that the
     rest chooses. Waters are those of all of the curve, of `alone` and `sets`."""
     curve = weighed.profiles.curve
@@ -263,3 +261,33 @@ def resampled(weighed: Weighed, found: FrameSet, radii: np.ndarray, seed: int) -
         gyrations.append(radii[chosen.frames][order])
         sets.add(tuple(sorted(chosen.frames.tolist())))
     return Resampled(np.array(weights), np.array(gyrations), len(sets))
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What was chosen, and from what."""
+
+    found: FrameSet
+    start: FrameSet  #: START alone
+    single: FrameSet  #: the best frame alone
+    sets: list[FrameSet]  #: the best of one frame, of two ...; none if not asked for
+    left_out: Predicted | None
+    alike: np.ndarray  #: frames that explain about as much as what was found, each alone
+
+
+def chosen(weighed: Weighed, ensemble: bool) -> Choice:
+    """START or a frame; where an ensemble is asked for, the least set that explains as much."""
+    alone = singles(weighed)
+    start, best = alone[0], min(alone, key=lambda one: one.misfit)
+    sets = best_sets(weighed, best) if ensemble else [best]
+    noise = max(1.0, sets[-1].misfit / len(weighed.goal))
+    single = the_start_or(best, start, len(alone), noise)
+    left_out = None
+    found = single
+    if ensemble:
+        worth = worth_it(sets, len(alone), noise)
+        left_out = predicted(weighed, alone, sets[:worth])
+        found = single if left_out.least == 1 else sets[left_out.least - 1]
+    misfits = np.array([one.misfit for one in alone])
+    alike = np.flatnonzero(misfits <= found.misfit + noise * price(len(alone)))
+    return Choice(found, start, best, sets if ensemble else [], left_out, alike)

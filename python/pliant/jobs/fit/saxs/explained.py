@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -10,20 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._core import MolecularModel, Structure
+from pliant.base import console
 from pliant.base.display import Displayed, Facts
-from pliant.jobs.fit.saxs.choice import (
-    FrameSet,
-    Predicted,
-    Resampled,
-    best_sets,
-    predicted,
-    resampled,
-    singles,
-    the_start_or,
-    worth_it,
-)
+from pliant.jobs.fit.saxs.choice import Choice, FrameSet, Resampled, chosen, resampled
 from pliant.jobs.fit.saxs.curve import Curve, read_curve
-from pliant.jobs.fit.saxs.profiles import Profiles, Water, Weighed
+from pliant.jobs.fit.saxs.profiles import Profiles, Weighed
 from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.superposition import superpose_onto
 from pliant.trajectory.trajectory import HasFrames, Trajectory
@@ -52,15 +44,11 @@ class FittedCurve(HasFrames, Displayed):
     model: MolecularModel = field(repr=False)  #: of the start
     positions: np.ndarray = field(repr=False)  #: (K, N, 3) Angstrom
     members: list[Member]
-    frames: int  #: from which they are chosen
+    off_start: np.ndarray = field(repr=False)  #: (F) RMSD of all frames from START, Angstrom
     curve: Curve = field(repr=False)
     fitted: np.ndarray = field(repr=False)  #: (n) intensities of the members, as the curve has them
-    water: Water
-    chi2: float
-    chi2_start: float
-    chi2_single: float  #: of the best frame alone
-    chi2_sizes: list[float]  #: of the best set of one frame, of two ...; none if not asked for
-    left_out: list[float]  #: the same of parts that frames and weights were not chosen by
+    choice: Choice = field(repr=False)
+    background: bool
     rg_curve: tuple[float, float] | None  #: and its error, Angstrom; None: too few points
     rg_start: float
     channels: float  #: independent numbers in the curve: C. Shannon; P. Moore (1980)
@@ -77,6 +65,37 @@ class FittedCurve(HasFrames, Displayed):
         """The structures, in memory."""
         return Trajectory._of(FramesInMemory(self.structure, self.positions))
 
+    def _chi2(self, one: FrameSet) -> float:
+        free = 2 + len(one.frames) + self.background
+        return one.misfit / (len(self.curve.q) - free)
+
+    @property
+    def chi2(self) -> float:
+        """Mean square error of what was found, in errors of the file."""
+        return self._chi2(self.choice.found)
+
+    @property
+    def chi2_start(self) -> float:
+        """That of START alone."""
+        return self._chi2(self.choice.start)
+
+    @property
+    def chi2_single(self) -> float:
+        """That of the best frame alone."""
+        return self._chi2(self.choice.single)
+
+    @property
+    def chi2_left_out(self) -> list[float]:
+        """Of parts of the curve that frames and weights were not chosen by: of one frame, of two
+        ...; none if no ensemble was asked for."""
+        left_out = self.choice.left_out
+        return [] if left_out is None else left_out.left_out.tolist()
+
+    @property
+    def frames(self) -> int:
+        """From how many the members are chosen."""
+        return len(self.off_start)
+
     @property
     def agrees(self) -> bool:
         """Whether the curve is explained."""
@@ -85,49 +104,65 @@ class FittedCurve(HasFrames, Displayed):
     @property
     def is_ensemble(self) -> bool:
         """Whether sets of frames were asked for."""
-        return bool(self.left_out)
+        return self.choice.left_out is not None
 
     def verdict(self) -> str:
         """In words: whether the curve is explained, by what, and what that is worth."""
-        chi = f"chi^2 {self.chi2:.2f}, START {self.chi2_start:.2f}"
-        one = len(self.members) == 1
-        what = f"Frame {self.members[0].frame}" if one else f"{len(self.members)} frames together"
-        if one and self.members[0].frame == 0:
-            what, chi = "START", f"chi^2 {self.chi2:.2f}"
-        does = ("explains" if one else "explain") if self.agrees else "come"
-        if self.agrees:
-            parts = [f"{what} {does} the curve ({chi})."]
-        else:
-            parts = [f"The curve is not explained: {what} comes nearest ({chi})."]
-            if not self.is_ensemble:
-                parts.append("Several shapes together may: --ensemble.")
+        parts = [self._said()]
+        if not self.agrees and not self.is_ensemble:
+            parts.append("Several shapes together may explain it: --ensemble.")
+        if self.agrees and self.chi2_start <= EXPLAINS and self.members[0].frame != 0:
+            parts.append("START alone does, too.")
         if self.chi2 < TOO_WELL:
             parts.append("It is explained too well: the errors in the file look too large.")
         parts.append(
             f"The curve has about {self.channels:.0f} independent numbers: many shapes have it, "
             f"and {len(self.others.radii)} curves with other noise chose "
-            f"{self.others.different} different sets of frames."
+            f"{console.counted(self.others.different, 'set')} of frames."
         )
         return " ".join(parts)
+
+    def _said(self) -> str:
+        count = len(self.members)
+        what = f"{count} frames together" if count > 1 else f"Frame {self.members[0].frame}"
+        chi = f"chi^2 {self.chi2:.2f}, START {self.chi2_start:.2f}"
+        if count == 1 and self.members[0].frame == 0:
+            what, chi = "START", f"chi^2 {self.chi2:.2f}"
+        verb = "" if count > 1 else "s"
+        if self.agrees:
+            return f"{what} explain{verb} the curve ({chi})."
+        return f"The curve is not explained: {what} come{verb} nearest ({chi})."
 
     def facts(self) -> Facts:
         """How it agrees, and what is not known."""
         q = self.curve.q
-        rg = "too few points" if self.rg_curve is None else "{:.2f} +- {:.2f} A".format(*self.rg_curve)
-        sets = "".join(
-            f"; {k + 1} frames {chi2:.2f} (parts left out: {left:.2f})"
-            for k, (chi2, left) in enumerate(zip(self.chi2_sizes, self.left_out, strict=False))
+        rg = (
+            "too few points"
+            if self.rg_curve is None
+            else "{:.2f} +- {:.2f} A".format(*self.rg_curve)
         )
+        sets = "".join(
+            f"; {console.counted(k + 1, 'frame')} {self._chi2(one):.2f} (parts left out {left:.2f})"
+            for k, (one, left) in enumerate(zip(self.choice.sets, self.chi2_left_out, strict=False))
+        )
+        water = self.choice.found.water
         return [
             ("verdict", self.verdict()),
             ("curve", f"{len(q)} points, q {q[0]:.3f} to {q[-1]:.3f} 1/A"),
             ("Rg", f"{rg} (curve, Guinier), {self.rg_start:.2f} A (START)"),
             ("chi^2", f"START {self.chi2_start:.2f}, best frame {self.chi2_single:.2f}{sets}"),
-            ("water", f"radii x {self.water.expansion:.3f}, layer {self.water.layer:.2f}"),
-            ("weights", self._weights()),
+            ("water", f"radii x {water.expansion:.3f}, layer {water.layer:.2f}"),
+            ("as good alone", self._alike()),
+            *([("weights", self._weights())] if len(self.members) > 1 else []),
             ("not told", "mirror images, which part of the chain moved, and shapes of which no "
                          f"frame is among the {self.frames}"),
         ]  # fmt: skip
+
+    def _alike(self) -> str:
+        alike = self.choice.alike
+        off = self.off_start[alike]
+        some = f", {off.min():.1f} to {off.max():.1f} A from START" if len(alike) else ""
+        return f"{len(alike)} of {self.frames} frames{some}"
 
     def _weights(self) -> str:
         """By Rg, as the noise lets them vary."""
@@ -147,16 +182,19 @@ class FittedCurve(HasFrames, Displayed):
             "chi2": self.chi2,
             "chi2_start": self.chi2_start,
             "chi2_single": self.chi2_single,
-            "chi2_sizes": self.chi2_sizes,
-            "chi2_left_out": self.left_out,
+            "chi2_sizes": [self._chi2(one) for one in self.choice.sets],
+            "chi2_left_out": self.chi2_left_out,
             "rg_curve": self.rg_curve and list(self.rg_curve),
             "rg_start": self.rg_start,
             "channels": self.channels,
-            "water": vars(self.water),
+            "water": vars(self.choice.found.water),
+            "as_good_alone": self.choice.alike.tolist(),
             "resampled": {
-                "weights": self.others.weights.tolist(),
-                "rg": self.others.radii.tolist(),
-                "different": self.others.different,
+                "weights": self.others.weights.mean(axis=0).tolist(),
+                "weights_spread": self.others.weights.std(axis=0).tolist(),
+                "rg": self.others.radii.mean(axis=0).tolist(),
+                "rg_spread": self.others.radii.std(axis=0).tolist(),
+                "sets": self.others.different,
             },
             "curve": {
                 "q": self.curve.q.tolist(),
@@ -166,33 +204,6 @@ class FittedCurve(HasFrames, Displayed):
             },
             "seconds": self.seconds,
         }
-
-
-@dataclass(frozen=True)
-class _Choice:
-    """What was chosen, and from what."""
-
-    found: FrameSet
-    start: FrameSet
-    single: FrameSet
-    sets: list[FrameSet]
-    left_out: Predicted | None
-
-
-def _chosen(weighed: Weighed, ensemble: bool) -> _Choice:
-    """START or a frame; where an ensemble is asked for, the least set that explains as much."""
-    alone = singles(weighed)
-    start, best = alone[0], min(alone, key=lambda one: one.misfit)
-    points, frames = len(weighed.goal), len(alone)
-    sets = best_sets(weighed, best) if ensemble else [best]
-    noise = max(1.0, sets[-1].misfit / points)
-    first = the_start_or(best, start, frames, noise)
-    if not ensemble:
-        return _Choice(first, start, best, [], None)
-    worth = worth_it(sets, frames, noise)
-    left_out = predicted(weighed, alone, sets[:worth])
-    size = left_out.least
-    return _Choice(first if size == 1 else sets[size - 1], start, best, sets, left_out)
 
 
 def fit_curve(
@@ -208,37 +219,27 @@ def fit_curve(
     molecule.sampled()
     profiles = Profiles(molecule.model.structure, molecule.frames, curve)
     weighed = Weighed(profiles, background)
-    chosen = _chosen(weighed, ensemble)
-    found = chosen.found
+    choice = chosen(weighed, ensemble)
+    found = choice.found
     radii = profiles.radii_of_gyration(found.water)
+    rg_start = float(profiles.radii_of_gyration(choice.start.water)[0])
     nodes = molecule.frames[:, molecule.atoms]
-    moved = superpose_onto(molecule.frames[found.frames], molecule.atoms, nodes[0])
-    rmsd = np.sqrt(((moved[:, molecule.atoms] - nodes[0]) ** 2).sum(axis=2).mean(axis=1))
-    rg_start = float(profiles.radii_of_gyration(chosen.start.water)[0])
-    span = float(curve.q[-1] - curve.q[0])
-
-    def chi2(one: FrameSet) -> float:
-        free = 2 + len(one.frames) + background
-        return one.misfit / (len(curve.q) - free)
-
+    off = superpose_onto(nodes, slice(None), nodes[0]) - nodes[0]
+    rmsd = np.sqrt((off**2).sum(axis=2).mean(axis=1))
     return FittedCurve(
         model=molecule.model,
-        positions=moved,
+        positions=superpose_onto(molecule.frames[found.frames], molecule.atoms, nodes[0]),
         members=[
-            Member(int(k), float(weight), float(radii[k]), float(off))
-            for k, weight, off in zip(found.frames, found.weights, rmsd, strict=True)
+            Member(int(k), float(weight), float(radii[k]), float(rmsd[k]))
+            for k, weight in zip(found.frames, found.weights, strict=True)
         ],
-        frames=len(profiles),
+        off_start=rmsd,
         curve=curve,
         fitted=weighed.fitted(found.intensities(profiles)),
-        water=found.water,
-        chi2=chi2(found),
-        chi2_start=chi2(chosen.start),
-        chi2_single=chi2(chosen.single),
-        chi2_sizes=[chi2(one) for one in chosen.sets],
-        left_out=[] if chosen.left_out is None else chosen.left_out.left_out.tolist(),
+        choice=choice,
+        background=background,
         rg_curve=curve.guinier(rg_start),
         rg_start=rg_start,
-        channels=span * float(profiles.diameters[found.frames].max()) / np.pi,
+        channels=float(np.ptp(curve.q) * profiles.diameters[found.frames].max() / math.pi),
         others=resampled(weighed, found, radii, seed),
     )

@@ -146,7 +146,7 @@ class Weighed:
     def _finer(self, partials: np.ndarray, coarse: np.ndarray) -> np.ndarray:
         """Each about its own best of before."""
         layers = coarse[:, 1:2] + FINER * (LAYERS[1] - LAYERS[0])
-        found = coarse.copy()
+        found: np.ndarray = coarse.copy()
         for expansion in np.unique(coarse[:, 0]):
             rows = np.flatnonzero(coarse[:, 0] == expansion)
             steps = expansion + FINER * (EXPANSIONS[1] - EXPANSIONS[0])
@@ -178,5 +178,7 @@ class Weighed:
         goal = self.goal
         along = (a @ goal)[:, None] + layers * (b @ goal)[:, None] + layers**2 * (c @ goal)[:, None]
         products = [(a * a), 2 * (a * b), b * b + 2 * (a * c), 2 * (b * c), c * c]
-        square = sum(x.sum(axis=1)[:, None] * layers**k for k, x in enumerate(products))
+        square: np.ndarray = np.zeros(layers.shape)
+        for k, product in enumerate(products):
+            square += product.sum(axis=1)[:, None] * layers**k
         return np.asarray(self.square - np.maximum(along, 0) ** 2 / square)
