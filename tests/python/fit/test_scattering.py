@@ -6,9 +6,9 @@ from pathlib import Path
 import gemmi
 import numpy as np
 import pytest
+from pliant._core import form_factors, partial_profiles, scattering_groups
 
 import pliant
-from pliant._core import form_factors, partial_profiles, scattering_groups
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
@@ -153,7 +153,9 @@ def test_what_is_wrong_is_said():
         partial_profiles([6, 6], [0, 0], np.zeros((1, 1, 3)), Q)
     with pytest.raises(pliant.InputError, match=r"frames: frame 1 is not finite"):
         partial_profiles([6], [0], np.array([[[0, 0, 0]], [[np.nan, 0, 0]]]), Q)
-    with pytest.raises(pliant.InputError, match=r"distances of at most 20000 Angstrom, found 1000000"):
+    with pytest.raises(
+        pliant.InputError, match=r"distances of at most 20000 Angstrom, found 1000000"
+    ):
         of_carbons([[0, 0, 0], [1e6, 0, 0]])
     with pytest.raises(pliant.InputError, match="hydrogens: expected one for each element"):
         form_factors([6], [0, 0], Q)

@@ -50,16 +50,7 @@ examples:
 """
 
 #: options that --help shows
-COMMON = (
-    "--distances",
-    "--saxs",
-    "--ensemble",
-    "--output",
-    "--keep",
-    "--frames",
-    "--seed",
-    "--select",
-)
+COMMON = ("--distances", "--saxs", "--ensemble", "--output", "--keep", "--frames", "--select")
 #: of a path alone
 NOT_OURS = ("atoms", "step", "both", "backtrack", "seed")
 

@@ -28,6 +28,7 @@ from pliant.base.checked import SEED, checked, whole
 from pliant.jobs.fit import nodes as at_nodes
 from pliant.jobs.fit.data import Datum, Sites, in_nanometres, read_distances
 from pliant.jobs.fit.fitted import ARRIVED, FittedStructure, Whole, agreement_of
+from pliant.jobs.fit.saxs.curve import read_curve
 from pliant.jobs.fit.saxs.explained import FittedCurve, fit_curve
 from pliant.trajectory.superposition import superpose_onto
 
@@ -147,7 +148,10 @@ def fit(
     molecule = Molecule(start, frames, seed, PathOptions(**options))
     found: FittedStructure | FittedCurve
     if saxs is not None:
-        found = fit_curve(molecule, saxs, ensemble=ensemble, background=background, seed=seed)
+        curve = read_curve(saxs)
+        molecule.sampled()
+        of = molecule.model, molecule.frames, molecule.atoms
+        found = fit_curve(curve, *of, ensemble=ensemble, background=background, seed=seed)
     else:
         found = _fitted(molecule, _read(distances, molecule), keep)
     found.seconds = time.perf_counter() - begun

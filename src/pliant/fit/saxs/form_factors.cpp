@@ -2,7 +2,7 @@
 #include "pliant/fit/saxs/form_factors.hpp"
 
 #include <array>
-#include <cstdlib>
+#include <cmath>
 #include <numbers>
 
 #include "pliant/base/math/elementary.hpp"

@@ -19,10 +19,10 @@ struct ScatteringGroup {
 /// table has the curve of the nearest that is, by its number of electrons.
 double atom_form_factor(std::uint8_t element, double q);
 
-/// That of a group: hydrogens add theirs, averaged over the directions of their bonds.
+/// Form factor of a group: hydrogens add theirs, averaged over the directions of their bonds.
 double form_factor(ScatteringGroup group, double q);
 
-/// That of a water molecule at its oxygen.
+/// Form factor of a water molecule at its oxygen.
 double water_form_factor(double q);
 
 /// Volume of solvent that a group displaces, Angstrom^3: the sum of its atoms (R. Fraser,

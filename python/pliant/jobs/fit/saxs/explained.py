@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 import math
-import os
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,14 +13,11 @@ from pliant._core import MolecularModel, Structure
 from pliant.base import console
 from pliant.base.display import Displayed, Facts
 from pliant.jobs.fit.saxs.choice import Choice, FrameSet, Resampled, chosen, resampled
-from pliant.jobs.fit.saxs.curve import Curve, read_curve
+from pliant.jobs.fit.saxs.curve import Curve
 from pliant.jobs.fit.saxs.profiles import Profiles, Weighed
 from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.superposition import superpose_onto
 from pliant.trajectory.trajectory import HasFrames, Trajectory
-
-if TYPE_CHECKING:
-    from pliant.jobs.fit.fit import Molecule
 
 EXPLAINS = 1.5  #: chi^2 up to which a curve is explained
 TOO_WELL = 0.5  #: below, errors in the file are too large, or points do not vary by themselves
@@ -207,28 +203,29 @@ class FittedCurve(HasFrames, Displayed):
 
 
 def fit_curve(
-    molecule: Molecule,
-    path: str | os.PathLike[str],
+    curve: Curve,
+    model: MolecularModel,
+    frames: np.ndarray,
+    atoms: np.ndarray,
     *,
     ensemble: bool = False,
     background: bool = False,
     seed: int = 0,
 ) -> FittedCurve:
-    """Chooses frames of a molecule, which are sampled here, by the curve in a file."""
-    curve = read_curve(path)
-    molecule.sampled()
-    profiles = Profiles(molecule.model.structure, molecule.frames, curve)
+    """Chooses among frames (F, N, 3) of a molecule, START first, by a curve; they are superposed by
+    `atoms`."""
+    profiles = Profiles(model.structure, frames, curve)
     weighed = Weighed(profiles, background)
     choice = chosen(weighed, ensemble)
     found = choice.found
     radii = profiles.radii_of_gyration(found.water)
     rg_start = float(profiles.radii_of_gyration(choice.start.water)[0])
-    nodes = molecule.frames[:, molecule.atoms]
+    nodes = frames[:, atoms]
     off = superpose_onto(nodes, slice(None), nodes[0]) - nodes[0]
     rmsd = np.sqrt((off**2).sum(axis=2).mean(axis=1))
     return FittedCurve(
-        model=molecule.model,
-        positions=superpose_onto(molecule.frames[found.frames], molecule.atoms, nodes[0]),
+        model=model,
+        positions=superpose_onto(frames[found.frames], atoms, nodes[0]),
         members=[
             Member(int(k), float(weight), float(radii[k]), float(rmsd[k]))
             for k, weight in zip(found.frames, found.weights, strict=True)
