@@ -64,7 +64,7 @@ WINGS = {
     "resolve/bodies": ("tree", "near", "pull", "outward", "region"),
     "conformers": ("rings", "torsions", "strain", "choice"),
     "sample": ("network", "turns", "pocket"),
-    "fit": (ITSELF, "map"),
+    "fit": (ITSELF, "map", "saxs"),
     "jobs": ("asked", "files"),
     "lab": ("examples", "generate", "test_sets"),
     "record": ("hdf5", "h5md", "xml"),

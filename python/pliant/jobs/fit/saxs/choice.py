@@ -173,11 +173,6 @@ def price(frames: int) -> float:
     return PRICE + 2 * math.log(frames)
 
 
-def the_start_or(best: FrameSet, start: FrameSet, frames: int, noise: float) -> FrameSet:
-    """START, where it is about as good as the best of some frames."""
-    return start if start.misfit - best.misfit <= noise * price(frames) else best
-
-
 def worth_it(sets: Sequence[FrameSet], frames: int, noise: float) -> int:
     """The size that is worth its frames."""
     paid = [one.misfit + noise * price(frames) * len(one.frames) for one in sets]
@@ -275,19 +270,27 @@ class Choice:
     alike: np.ndarray  #: frames that explain about as much as what was found, each alone
 
 
-def chosen(weighed: Weighed, ensemble: bool) -> Choice:
-    """START or a frame; where an ensemble is asked for, the least set that explains as much."""
+def chosen(weighed: Weighed, off_start: np.ndarray, ensemble: bool) -> Choice:
+    """Of the frames that explain about as much as the best the one nearest to START, which is one
+    of them; where an ensemble is asked for, the least set that explains as much.
+
+    `off_start` (F): how far each frame is from START.
+    """
     alone = singles(weighed)
-    start, best = alone[0], min(alone, key=lambda one: one.misfit)
+    best = min(alone, key=lambda one: one.misfit)
     sets = best_sets(weighed, best) if ensemble else [best]
     noise = max(1.0, sets[-1].misfit / len(weighed.goal))
-    single = the_start_or(best, start, len(alone), noise)
-    left_out = None
-    found = single
-    if ensemble:
-        worth = worth_it(sets, len(alone), noise)
-        left_out = predicted(weighed, alone, sets[:worth])
-        found = single if left_out.least == 1 else sets[left_out.least - 1]
     misfits = np.array([one.misfit for one in alone])
-    alike = np.flatnonzero(misfits <= found.misfit + noise * price(len(alone)))
-    return Choice(found, start, best, sets if ensemble else [], left_out, alike)
+
+    def alike(misfit: float) -> np.ndarray:
+        return np.flatnonzero(misfits <= misfit + noise * price(len(alone)))
+
+    as_good = alike(best.misfit)
+    found = alone[as_good[off_start[as_good].argmin()]]
+    left_out = None
+    if ensemble:
+        left_out = predicted(weighed, alone, sets[: worth_it(sets, len(alone), noise)])
+        if left_out.least > 1:
+            found = sets[left_out.least - 1]
+            as_good = alike(found.misfit)
+    return Choice(found, alone[0], best, sets if ensemble else [], left_out, as_good)

@@ -216,13 +216,13 @@ def fit_curve(
     `atoms`."""
     profiles = Profiles(model.structure, frames, curve)
     weighed = Weighed(profiles, background)
-    choice = chosen(weighed, ensemble)
-    found = choice.found
-    radii = profiles.radii_of_gyration(found.water)
-    rg_start = float(profiles.radii_of_gyration(choice.start.water)[0])
     nodes = frames[:, atoms]
     off = superpose_onto(nodes, slice(None), nodes[0]) - nodes[0]
     rmsd = np.sqrt((off**2).sum(axis=2).mean(axis=1))
+    choice = chosen(weighed, rmsd, ensemble)
+    found = choice.found
+    radii = profiles.radii_of_gyration(found.water)
+    rg_start = float(profiles.radii_of_gyration(choice.start.water)[0])
     return FittedCurve(
         model=model,
         positions=superpose_onto(frames[found.frames], atoms, nodes[0]),
