@@ -10,11 +10,11 @@ namespace pliant {
 namespace {
 
 constexpr double water_radius = 1.8;  // Angstrom
-constexpr double largest_radius = 1.9;
+constexpr double widest_group = 1.9;
 
 double radius_of(std::uint8_t element) {
   if (element == 7) return 1.7;
-  return element == 8 ? 1.6 : largest_radius;
+  return element == 8 ? 1.6 : widest_group;
 }
 
 /// The sphere of another group, as seen from a group.
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> exposures(std::span<const ScatteringGroup> groups,
   static const std::vector<Vec3> directions = spread_directions(exposure_points);
   std::vector<std::vector<Sphere>> near(groups.size());
   const auto radius = [&](std::size_t k) { return radius_of(groups[k].element) + water_radius; };
-  CellList(positions, 2.0 * (largest_radius + water_radius))
+  CellList(positions, 2.0 * (widest_group + water_radius))
       .for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
         const double reach = radius(i) + radius(j);
         if (squared >= reach * reach) return;

@@ -74,14 +74,18 @@ double volume_of(int element) {
   return other_volume;
 }
 
-/// sin(x) / x for x from 0 to 100.
-double sinc(double x) { return x < 1e-4 ? 1.0 : exact_bits_cos(x - std::numbers::pi / 2.0) / x; }
-
 double with_hydrogens(double heavy, int hydrogens, double bond, double q) {
-  return hydrogens == 0 ? heavy : heavy + hydrogens * atom_form_factor(1, q) * sinc(q * bond);
+  return hydrogens == 0 ? heavy
+                        : heavy + hydrogens * atom_form_factor(1, q) * wave_between(q, bond);
 }
 
 }  // namespace
+
+double wave_between(double q, double distance) {
+  const double x = q * distance;
+  if (x < 1e-6) return 1.0;
+  return exact_bits_cos(std::remainder(x - std::numbers::pi / 2.0, 2.0 * std::numbers::pi)) / x;
+}
 
 double atom_form_factor(std::uint8_t element, double q) {
   const FormFactor& row = nearest(element);

@@ -14,6 +14,10 @@ struct ScatteringGroup {
   friend auto operator<=>(const ScatteringGroup&, const ScatteringGroup&) = default;
 };
 
+/// sin(q r) / (q r): what two points at a distance r (Angstrom) scatter together, averaged over all
+/// directions; q in 1/Angstrom.
+double wave_between(double q, double distance);
+
 /// Form factor of an atom in a vacuum, electrons, at q = 4 pi sin(theta) / lambda (1/Angstrom):
 /// sums of Gaussians of International Tables C (1992), table 6.1.1.4. An element that is not in our
 /// table has the curve of the nearest that is, by its number of electrons.

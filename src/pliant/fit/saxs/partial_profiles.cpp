@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "pliant/base/error.hpp"
-#include "pliant/base/math/elementary.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/fit/saxs/exposure.hpp"
 
@@ -24,17 +22,11 @@ std::size_t bins_for(double longest) {
   return static_cast<std::size_t>(longest / bin_width) + 2;  // one for what is rounded
 }
 
-/// sin(x) / x for x above 0.
-double sinc(double x) {
-  const double turn = std::remainder(x - std::numbers::pi / 2.0, 2.0 * std::numbers::pi);
-  return x < 1e-6 ? 1.0 : exact_bits_cos(turn) / x;
-}
-
 std::vector<double> waves_of(std::span<const double> q, std::size_t bins) {
   std::vector<double> waves;
   waves.reserve(bins * q.size());
   for (std::size_t b = 0; b < bins; ++b)
-    for (const double one : q) waves.push_back(sinc(one * bin_width * (double(b) + 0.5)));
+    for (const double one : q) waves.push_back(wave_between(one, bin_width * (double(b) + 0.5)));
   return waves;
 }
 
