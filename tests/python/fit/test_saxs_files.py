@@ -71,6 +71,13 @@ def test_too_few_points(tmp_path, count, found):
     )
 
 
+def test_a_curve_of_nothing_is_refused(tmp_path):
+    path = written(tmp_path, [row.replace(" ", " -", 1) for row in ROWS])
+    with pytest.raises(pliant.InputError) as raised:
+        read_curve(path)
+    assert str(raised.value) == f"{path}: I: expected most numbers above 0, found 0 of 30"
+
+
 def test_bytes_are_no_curve(tmp_path):
     (tmp_path / "curve.dat").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(pliant.InputError, match=r"curve.dat: expected a text of columns"):

@@ -81,7 +81,12 @@ def read_curve(path: str | os.PathLike[str]) -> Curve:
     if not some.all():
         warnings.warn(f"{name}: {(~some).sum()} points beyond {MOST_Q:g} 1/Angstrom are left out",
                       PliantWarning, stacklevel=2)  # fmt: skip
-    return Curve(q[some], table[some, 1], table[some, 2])
+    intensity = table[some, 1]
+    if (above := int((intensity > 0).sum())) <= len(intensity) / 2:
+        raise InputError(
+            f"{name}: I: expected most numbers above 0, found {above} of {len(intensity)}"
+        )
+    return Curve(q[some], intensity, table[some, 2])
 
 
 def _rows(lines: list[str], name: str) -> list[list[float]]:
