@@ -3,10 +3,12 @@
 #include "pliant/fit/fit_nodes.hpp"
 
 #include "arrays.hpp"
+#include "fit/density_data.hpp"
 #include "molecule/structure.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/threads/threads.hpp"
 #include "pliant/fit/distance_term.hpp"
+#include "pliant/fit/map/density_term.hpp"
 #include "pliant/model/atoms/residue_nodes.hpp"
 
 namespace pliant::python {
@@ -34,10 +36,13 @@ std::vector<FitDistance> distances_of(const ArrayLike& pairs, const ArrayLike& l
 }
 
 nb::tuple fitted(const GivenFrames& starts, const ArrayLike& chains, const ArrayLike& pairs,
-                 const ArrayLike& low, const ArrayLike& high) {
+                 const ArrayLike& low, const ArrayLike& high, const DensityTarget* density,
+                 std::size_t stages) {
   const std::size_t count = starts.shape(0), nodes = starts.shape(1);
   const std::vector<std::uint32_t> chain = chains_of(chains);
   if (chain.size() != nodes) throw InputError("chains: expected one for each node");
+  if (density != nullptr) check_sites(*density, nodes);
+  if (stages < 1 || stages > std::size(fit_weights)) throw OptionError("stages: from 1 to 4");
   const std::vector<FitDistance> data = distances_of(pairs, low, high, nodes);
   std::vector<Vec3> all(count * nodes);
   std::vector<double> strain(count), misfit(count);
@@ -45,9 +50,11 @@ nb::tuple fitted(const GivenFrames& starts, const ArrayLike& chains, const Array
     const nb::gil_scoped_release no_gil;
     for_each_in_threads(all_processors(), count, [&](std::size_t k) {
       const std::span<const Vec3> start = frame_of(starts, k);
-      DistanceTerm term(data);
-      FitTerm* const terms[] = {&term};
-      const FittedNodes found = fit_nodes({{start.begin(), start.end()}, chain}, terms);
+      DistanceTerm distances(data);
+      std::optional<DensityTerm> map;
+      std::vector<FitTerm*> terms{&distances};
+      if (density != nullptr) terms.push_back(&map.emplace(*density));
+      const FittedNodes found = fit_nodes({{start.begin(), start.end()}, chain}, terms, stages);
       std::ranges::copy(found.positions, all.begin() + std::ptrdiff_t(k * nodes));
       strain[k] = found.strain;
       misfit[k] = found.misfit;
@@ -72,19 +79,24 @@ nb::tuple nodes_to_fit(const Structure& structure) {
 }  // namespace
 
 void bind_fit(nb::module_& module) {
+  bind_density_data(module);
   module.def("nodes_to_fit", &nodes_to_fit, "structure"_a,
              nb::sig("def nodes_to_fit(structure: Structure) -> "
                      "tuple[numpy.typing.NDArray[numpy.int64], numpy.typing.NDArray[numpy.int64]]"),
              "The atom of each residue of a polymer (CA, P), and the number of its chain.");
-  module.def("fit_nodes", &fitted, "starts"_a, "chains"_a, "pairs"_a, "low"_a, "high"_a,
-             nb::sig("def fit_nodes(starts: numpy.typing.NDArray[numpy.float64], "
-                     "chains: numpy.typing.ArrayLike, pairs: numpy.typing.ArrayLike, "
-                     "low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike) -> "
-                     "tuple[numpy.typing.NDArray[numpy.float64], "
-                     "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
-             "Fits nodes from each start (F, M, 3) to the distances of pairs (K, 2) of them, each "
-             "from low (K)\nto high (K), Angstrom. Returns the fitted nodes, and of each fit the "
-             "strain and the misfit.");
+  module.def(
+      "fit_nodes", &fitted, "starts"_a, "chains"_a, "pairs"_a, "low"_a, "high"_a,
+      "density"_a = nb::none(), "stages"_a = std::size(fit_weights),
+      nb::sig("def fit_nodes(starts: numpy.typing.NDArray[numpy.float64], "
+              "chains: numpy.typing.ArrayLike, pairs: numpy.typing.ArrayLike, "
+              "low: numpy.typing.ArrayLike, high: numpy.typing.ArrayLike, "
+              "density: DensityData | None = None, stages: int = 4) -> "
+              "tuple[numpy.typing.NDArray[numpy.float64], "
+              "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
+      "Fits nodes from each start (F, M, 3) to the distances of pairs (K, 2) of them, each "
+      "from low (K)\nto high (K), Angstrom, and to a density; data count more in each of four "
+      "stages. Returns the fitted nodes, and of each fit the "
+      "strain and the misfit.");
 }
 
 }  // namespace pliant::python

@@ -45,18 +45,30 @@ nb::tuple unexplained_by(const DensityMap& map, const nb::handle& structure,
                         array_of(std::move(shares)));
 }
 
-nb::tuple placed_in(const DensityMap& map, const nb::handle& structure, double resolution) {
+/// (n, N, 3) positions, and (n) densities.
+nb::tuple placings_in(const DensityMap& map, const nb::handle& structure, double resolution,
+                      std::size_t most) {
   const nb::object given = structure_from(structure);
   const auto& from = nb::cast<const Structure&>(given);
   const WeighedAtoms atoms = weighed_atoms(from);
-  Placing found;
+  std::vector<Vec3> all;
+  std::vector<double> densities;
   {
     const nb::gil_scoped_release no_gil;
-    found = place_in_map(map, atoms.positions, atoms.weights, resolution);
+    for (const Placing& found :
+         place_in_map(map, atoms.positions, atoms.weights, resolution, most)) {
+      for (const Vec3 position : from.positions) all.push_back(found.motion(position));
+      densities.push_back(found.density);
+    }
   }
-  std::vector<Vec3> positions = from.positions;
-  for (Vec3& position : positions) position = found.motion(position);
-  return nb::make_tuple(new_positions(std::move(positions)), found.density);
+  const std::size_t count = densities.size();
+  return nb::make_tuple(new_frames(std::move(all), count, from.size()),
+                        array_of(std::move(densities)));
+}
+
+nb::tuple placed_in(const DensityMap& map, const nb::handle& structure, double resolution) {
+  const nb::tuple found = placings_in(map, structure, resolution, 1);
+  return nb::make_tuple(found[0][0], nb::cast<double>(found[1][0]));
 }
 
 constexpr const char* correlation_doc =
@@ -204,7 +216,13 @@ void bind_map_agreement(nb::class_<DensityMap>& bound) {
       .def("place", &placed_in, "structure"_a, "resolution"_a,
            nb::sig("def place(self, structure: Structure | Molecule, resolution: float) -> "
                    "tuple[numpy.typing.NDArray[numpy.float64], float]"),
-           place_doc);
+           place_doc)
+      .def("placings", &placings_in, "structure"_a, "resolution"_a, "most"_a,
+           nb::sig("def placings(self, structure: Structure | Molecule, resolution: float, "
+                   "most: int) -> tuple[numpy.typing.NDArray[numpy.float64], "
+                   "numpy.typing.NDArray[numpy.float64]]"),
+           "The densest places of a molecule in the map, at most so many, as ``place`` finds "
+           "them:\npositions (n, N, 3) and the mean densities (n,).");
 }
 
 }  // namespace pliant::python

@@ -23,7 +23,7 @@ double sum_of(std::span<FitTerm* const> terms, std::span<const Vec3> nodes,
 
 }  // namespace
 
-FittedNodes fit_nodes(const FitNodes& start, std::span<FitTerm* const> data) {
+FittedNodes fit_nodes(const FitNodes& start, std::span<FitTerm* const> data, std::size_t stages) {
   SpringTerm springs(start);
   StericTerm sterics(start);
   std::vector<FitTerm*> all{&springs, &sterics};
@@ -32,8 +32,8 @@ FittedNodes fit_nodes(const FitNodes& start, std::span<FitTerm* const> data) {
   const ValueAndGradient energy = [&](std::span<const Vec3> x, std::span<Vec3> gradient) {
     return sum_of(all, x, gradient);
   };
-  for (std::size_t stage = 0; stage < std::size(fit_weights); ++stage) {
-    const int count = stage + 1 < std::size(fit_weights) ? rounds : last_rounds;
+  for (std::size_t stage = 0; stage < stages; ++stage) {
+    const int count = stage + 1 < stages ? rounds : last_rounds;
     for (int round = 0; round < count; ++round) {
       for (FitTerm* term : all) term->begin(stage, found.positions);
       found.has_converged = minimise(energy, found.positions, until).has_converged;

@@ -17,8 +17,10 @@ struct FittedNodes {
   bool has_converged = false;
 };
 
-/// Minimises springs, sterics and `data` from the start, stage by stage. Takes time in proportion
+/// Minimises springs, sterics and `data` from the start, stage by stage, up to the stage before
+/// `stages`: with fewer, data count less. Takes time in proportion
 /// to the number of nodes.
-FittedNodes fit_nodes(const FitNodes& start, std::span<FitTerm* const> data);
+FittedNodes fit_nodes(const FitNodes& start, std::span<FitTerm* const> data,
+                      std::size_t stages = std::size(fit_weights));
 
 }  // namespace pliant

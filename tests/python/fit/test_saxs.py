@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from pliant._core import PathOptions
 from pliant.jobs.fit.command import main
-from pliant.jobs.fit.fit import Molecule
+from pliant.jobs.fit.molecule import Molecule
 from pliant.jobs.fit.saxs.choice import Search
 from pliant.jobs.fit.saxs.curve import Curve
 from pliant.jobs.fit.saxs.profiles import Profiles, Water, Weighed, diameters, interpolation
@@ -154,8 +154,8 @@ def test_diameters():
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        ([], "give one of --distances, --saxs"),
-        (["--saxs", "a.dat", "--distances", "b.csv"], "give one of --distances, --saxs"),
+        ([], "give distances, a map, or both; or saxs"),
+        (["--saxs", "a.dat", "--distances", "b.csv"], "give distances, a map, or both; or saxs"),
         (["--distances", "b.csv", "--ensemble"], "ensemble, background: are for saxs"),
         (["--saxs", "a.dat", "--keep", "2"], "keep = 2: is for distances"),
     ],

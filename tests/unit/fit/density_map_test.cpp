@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/random.hpp"
 #include "pliant/fit/map/blurred.hpp"
-#include "pliant/fit/map/density_term.hpp"
-#include "pliant/fit/map/placing.hpp"
 #include "pliant/fit/map/read_map.hpp"
 #include "pliant/fit/map/simulated.hpp"
 #include "pliant/fit/map/spread_rotations.hpp"
@@ -62,14 +60,16 @@ TEST(DensityMap, IsNothingOutsideOfItsBox) {
   EXPECT_GT(found.values[1], 0.0);
 }
 
-TEST(DensityTerm, IsMinusTheSumAndAddsItsGradient) {
-  const DensityTerm term(skewed_map());
-  const std::vector<Vec3> x{{0, 5, 6}, {1, 6, 8}, {99, 0, 0}};
-  std::vector<Vec3> gradient(3, Vec3{1, 1, 1});
-  const double energy = term.add(x, 2.0, gradient);
-  EXPECT_DOUBLE_EQ(energy, -2.0 * (term.map().at(x[0]).value + term.map().at(x[1]).value));
-  EXPECT_EQ(gradient[0], (Vec3{1, 1, 1} - 2.0 * term.map().at(x[0]).gradient));
-  EXPECT_EQ(gradient[2], (Vec3{1, 1, 1}));
+TEST(DensityMap, IsCroppedAroundAPlace) {
+  const DensityMap map = skewed_map();
+  const DensityMap part = cropped(map, std::vector<Vec3>{{0, 5, 6}}, 2.0);
+  EXPECT_LT(part.grid().size(), map.grid().size() / 3);
+  for (const Vec3 place : {Vec3{0, 5, 6}, Vec3{0.4, 5.2, 5.9}})
+    EXPECT_NEAR(part.at(place).value, map.at(place).value, 1e-6);
+  EXPECT_EQ(error_text<InputError>([&] {
+              cropped(map, std::vector<Vec3>{{99, 5, 6}}, 2.0);
+            }),
+            "density map: the molecule lies outside of it; put it there first (place)");
 }
 
 TEST(DensityPyramid, IsWiderAtFirstAndHasAGreatestOfOne) {
@@ -83,16 +83,6 @@ TEST(DensityPyramid, IsWiderAtFirstAndHasAGreatestOfOne) {
     const double sigma = 0.225 * 6.0 * times[k];
     EXPECT_NEAR(pyramid[k].at({4, 0, 0}).value, std::exp(-8.0 / (sigma * sigma)), 2e-3);
   }
-}
-
-TEST(Placing, ClimbsFromNearby) {
-  const std::vector<Vec3> atoms{{0, 0, 0}, {9, 0, 0}, {0, 12, 0}, {0, 0, 15}};
-  const std::vector<double> weights{6, 7, 8, 16};
-  const DensityMap map = simulated(grid_around(atoms, 6.0, 1.0), atoms, weights, 6.0);
-  const RigidMotion away{turn_about({0, 0.6, 0.8}, 0.1), {1, -1, 1.5}};
-  const Placing found = climb_in_map(map, atoms, weights, away);
-  for (const Vec3 atom : atoms) EXPECT_LT(distance(found.motion(atom), atom), 0.2);
-  EXPECT_GT(found.density, 0.9 * (6 * 6 + 7 * 7 + 8 * 8 + 16 * 16) / 37.0);
 }
 
 TEST(SpreadRotations, AreNearToAnyRotation) {

@@ -4,9 +4,12 @@
 
 #include "pliant/base/math/lbfgs.hpp"
 #include "pliant/fit/distance_term.hpp"
+#include "support/gradient.hpp"
 #include "support/test.hpp"
 
 namespace pliant::fit_nodes_test {
+
+using test::expect_gradient;
 
 /// Two zigzags side by side, 7 Angstrom apart, joined at one end.
 FitNodes hairpin(std::size_t count = 24) {
@@ -18,23 +21,6 @@ FitNodes hairpin(std::size_t count = 24) {
     nodes.chain.push_back(0);
   }
   return nodes;
-}
-
-/// Each component by central differences.
-void expect_gradient(const FitTerm& term, std::vector<Vec3> x) {
-  std::vector<Vec3> gradient(x.size()), unused(x.size());
-  term.add(x, gradient);
-  constexpr double h = 1e-5;
-  for (std::size_t k = 0; k < x.size(); ++k)
-    for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-      const double before = x[k].*axis;
-      x[k].*axis = before + h;
-      const double above = term.add(x, unused);
-      x[k].*axis = before - h;
-      const double below = term.add(x, unused);
-      x[k].*axis = before;
-      EXPECT_NEAR(gradient[k].*axis, (above - below) / (2 * h), 1e-4);
-    }
 }
 
 std::vector<Vec3> shaken(std::vector<Vec3> x) {

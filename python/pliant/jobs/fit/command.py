@@ -19,8 +19,9 @@ from pliant.jobs.fit.saxs.explained import FittedCurve
 EXIT_OFF = 3  #: data do not hold
 
 DESCRIPTION = """\
-Fits a structure to measured distances, or to a SAXS curve: shapes in reach of START that agree with
-the data, all atoms with exact bonds and angles, and what the data do not tell."""
+Fits a structure to measured distances, a density map, or both, or to a SAXS curve: shapes in reach
+of START that agree with the data, all atoms with exact bonds and angles, and what the data do not
+tell."""
 
 EPILOG = """\
 The table (CSV) has a header and a row for each distance, in Angstrom between alpha carbons (P of
@@ -34,23 +35,30 @@ Each distance is also predicted by fits to the others. One that they put 5 A or 
 interval, and without which START has to change much less, is let go and named. The spread by
 residue is precision: fits that agree may all be wrong where nothing was measured.
 
+A map is MRC or CCP4. START must lie in it, as after ChimeraX' fitmap, or is put there by --place;
+the result lies there, too. Correlations are about the means, near to atoms. --half is the other
+half of the data, as a map: nothing is fitted to it, so it tells what a fit is worth.
+
 With --saxs nothing is deformed: frames of an ensemble are chosen by their curves, computed with the
 water around them. "#" begins comments; q is in 1/Angstrom. A curve is some ten numbers: many shapes
 have the same.
 
-exit codes: 0 data are met (all distances but those let go; chi^2 of a curve up to 1.5), 1 bad input
-or file, 2 bad option, 3 data are not met
+exit codes: 0 data are met (all distances but those let go; a map that correlates by 0.5, and no
+less than with START; chi^2 of a curve up to 1.5), 1 bad input or file, 2 bad option, 3 data are not
+met
 
 examples:
   pliant design open.pdb --distances 10
   pliant fit open.pdb --distances measured.csv -o fitted.pdb
   pliant fit open.pdb --saxs curve.dat -o chosen.h5md --ensemble
   pliant fit open.cif --distances links.csv -o fitted.h5md --keep 20 --json
+  pliant fit open.pdb --map half1.mrc --half half2.mrc --resolution 6 --place -o fitted.cif
   pliant path open.pdb fitted.pdb -o closing.h5md
 """
 
 #: options that --help shows
-COMMON = ("--distances", "--saxs", "--ensemble", "--output", "--keep", "--frames", "--select")
+COMMON = ("--distances", "--map", "--resolution", "--place", "--saxs", "--output", "--keep",
+          "--frames", "--select")  # fmt: skip
 #: of a path alone
 NOT_OURS = ("atoms", "step", "both", "backtrack", "seed")
 
@@ -66,6 +74,11 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     add("start", metavar="START", help="PDB or mmCIF file of a protein or nucleic acid")
     add("--distances", metavar="FILE", help="table of measured distances (CSV)")
+    add("--map", metavar="FILE", help="density map (MRC, CCP4), into which START has been put")
+    text = "of the map, Angstrom; needed with --map"
+    add("--resolution", metavar="A", type=float, help=text)
+    add("--half", metavar="FILE", help="the other half of the data as a map, to judge by")
+    add("--place", action="store_true", help="put START into the map first")
     add("--saxs", metavar="FILE", help="SAXS curve (text): q, I and sigma in each line")
     text = "of a curve: the least number of frames that explain it together, and their weights"
     add("--ensemble", action="store_true", help=text)
@@ -76,6 +89,8 @@ def make_parser() -> console.Parser:
     add("--keep", metavar="N", type=console.whole_number(1, most=40), default=1, help=text)
     text = "frames of the ensemble that fits start from (default: 400)"
     add("--frames", metavar="N", type=console.whole_number(50), default=400, help=text)
+    text = "take starts from a file of frames, as pliant sample writes it"
+    add("--from", metavar="FILE", dest="taken", help=text)
     text = "of the ensemble (default: 0)"
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help=text)
     console.add_rows(parser, molecule_rows())
@@ -96,10 +111,14 @@ def _fit(arguments: argparse.Namespace) -> int:
         found = fit(
             arguments.start,
             arguments.distances,
+            map=arguments.map,
+            resolution=arguments.resolution,
+            half=arguments.half,
+            place=arguments.place,
             saxs=arguments.saxs,
             ensemble=arguments.ensemble,
             background=arguments.background,
-            frames=arguments.frames,
+            frames=arguments.taken or arguments.frames,
             keep=arguments.keep,
             seed=arguments.seed,
             output=arguments.output,
@@ -116,11 +135,17 @@ def _fit(arguments: argparse.Namespace) -> int:
 
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
-    if (arguments.distances is None) == (arguments.saxs is None):
-        raise OptionError("give one of --distances, --saxs")
     if Path(arguments.output).exists() and not arguments.overwrite:
         raise OptionError(f"output {arguments.output}: exists; --overwrite replaces it")
-    names = (arguments.start, arguments.distances or arguments.saxs, arguments.output)
+    given = (
+        arguments.start,
+        arguments.distances,
+        arguments.map,
+        arguments.half,
+        arguments.saxs,
+        arguments.output,
+    )
+    names = [name for name in given if name is not None]
     if len({os.path.realpath(name) for name in names}) < len(names):
         raise OptionError("two of the files are one: START, data and --output must differ")
 

@@ -14,7 +14,7 @@ import numpy as np
 from pliant._core import InputError, OptionError, PathOptions
 from pliant.base.checked import SEED, checked, whole
 from pliant.base.display import Displayed, Facts
-from pliant.jobs.fit.fit import FRAMES, Molecule
+from pliant.jobs.fit.molecule import FRAMES, Molecule
 
 __all__ = ["Design", "design"]
 

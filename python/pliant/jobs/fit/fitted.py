@@ -11,6 +11,7 @@ import numpy as np
 from pliant._core import MolecularModel, Structure
 from pliant.base.display import Displayed, Facts
 from pliant.jobs.fit.data import Datum
+from pliant.jobs.fit.in_map import MapAgreement
 from pliant.jobs.fit.nodes import LeftOut, violations
 from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.trajectory import HasFrames, Trajectory
@@ -47,11 +48,12 @@ class Whole:
 
 @dataclass
 class FittedStructure(HasFrames, Displayed):
-    """Structures that agree with measured distances, the best first."""
+    """Structures that agree with measured distances or a map, the best first."""
 
     model: MolecularModel = field(repr=False)  #: of the start
     kept: list[Whole] = field(repr=False)
     data: list[Agreement]
+    density: MapAgreement | None  #: with a map; the structures are there
     labels: list[str] = field(repr=False)  #: (M) residues
     spread: np.ndarray = field(repr=False)  #: (M) Angstrom, over all fits that agree
     rmsd_from_start: float  #: of alpha carbons, Angstrom
@@ -78,38 +80,50 @@ class FittedStructure(HasFrames, Displayed):
 
     @property
     def agrees(self) -> bool:
-        """Whether all data hold but those that contradict the others."""
-        return all(abs(one.violation) <= HOLDS for one in self.data if not one.contradicts)
+        """Whether the map agrees and all data hold but those that contradict the others."""
+        return (self.density is None or self.density.agrees) and all(
+            abs(one.violation) <= HOLDS for one in self.data if not one.contradicts
+        )
 
     def verdict(self) -> str:
         """In words: whether data and structure agree, and what that is worth."""
-        used = [one for one in self.data if not one.contradicts]
-        holding = sum(abs(one.violation) <= HOLDS for one in used)
-        agree = "agree" if self.agrees else "do not agree"
-        parts = [
-            f"Data and structure {agree}: {holding} of {len(self.data)} distances hold within "
-            f"{HOLDS:g} A.",
-            *(f"{one.name} cannot hold with the others." for one in self.data if one.contradicts),
-            f"The fits that agree differ by {np.median(self.spread):.1f} A (median residue).",
-        ]
+        parts = [] if self.density is None else self.density.verdict()
+        parts += self._of_distances() if self.data else []
+        parts.append(
+            f"The fits that agree differ by {np.median(self.spread):.1f} A (median residue)."
+        )
         short = self.kept[0].short_of_fit
         if short > ARRIVED:
             parts.append(f"The atoms stop {short:.1f} A short of the fit.")
+        if not self.data:
+            return " ".join(parts)
         if self.off_at_start <= HOLDS:
             parts.append("START agrees as it is.")
         elif self.off_left_out is not None and self.off_left_out >= self.off_at_start:
             parts.append("The data do not predict each other: do not rely on this fit.")
         return " ".join(parts)
 
+    def _of_distances(self) -> list[str]:
+        used = [one for one in self.data if not one.contradicts]
+        holding = sum(abs(one.violation) <= HOLDS for one in used)
+        agree = "agree" if holding == len(used) else "do not agree"
+        return [
+            f"Data and structure {agree}: {holding} of {len(self.data)} distances hold within "
+            f"{HOLDS:g} A.",
+            *(f"{one.name} cannot hold with the others." for one in self.data if one.contradicts),
+        ]
+
     def facts(self) -> Facts:
         """How it agrees, and what is not known."""
         best = self.kept[0]
         tightest = f" ({best.tightest})" if best.tightest else ""
         missed = "" if self.off_left_out is None else f"; left out, by {self.off_left_out:.2f} A"
+        off = [("violations", f"START's {self.off_at_start:.2f} A r.m.s.{missed}")]
         return [
             ("verdict", self.verdict()),
             ("moved", f"{self.rmsd_from_start:.2f} A from START (alpha carbons, r.m.s.)"),
-            ("violations", f"START's {self.off_at_start:.2f} A r.m.s.{missed}"),
+            *([] if self.density is None else self.density.facts()),
+            *(off if self.data else []),
             ("spread", f"{self.spread.min():.1f} to {self.spread.max():.1f} A by residue, over "
                        f"{self.agreeing} of {self.fits} fits: precision, not accuracy"),
             ("contacts", f"{best.contacts_let_go} let go"),
@@ -124,6 +138,7 @@ class FittedStructure(HasFrames, Displayed):
             "verdict": self.verdict(),
             "agrees": self.agrees,
             "distances": [vars(one) for one in self.data],
+            "map": None if self.density is None else self.density.as_json(self.labels),
             "rmsd_from_start": self.rmsd_from_start,
             "off_at_start": self.off_at_start,
             "off_left_out": self.off_left_out,

@@ -9,16 +9,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant._core import PlausibleShapes, fit_nodes
+from pliant._core import DensityData, PlausibleShapes, fit_nodes
 from pliant.jobs.fit.data import Datum
 from pliant.trajectory.superposition import rmsd_to, superpose_onto
 
 STARTS = 40  #: frames that are fitted
+STARTS_IN_MAP = 8  #: and the start: a map leads from further away, and takes longer
 MOST_LEFT_OUT = 20  #: data that are left out, one at a time
-FEWER_STARTS = 12  #: of each fit without one datum
+FEWER = 0.3  #: share of the starts for each fit without one datum
 LETS_GO = 8.0  #: Angstrom: in the choice of starts, a datum so far off counts half
 ENERGY = 5.0  #: that a shape e times less plausible may have less
 AGREES = 1.0  #: Angstrom: so much more violation (r.m.s.) is about as good
+CORRELATES = 0.01  #: so much less correlation with a map, too
+STRAIN_IN_MAP = 3.0  #: in the choice among fits: where density is missing, much can be explained
+STAGES = 4  #: of a fit: data count more in each
 
 #: a datum contradicts the others if the energy falls so much without it, and they put it so far off
 LEAST_DROP, LEAST_OFF = 9.0, 5.0
@@ -34,20 +38,52 @@ class Ensemble:
 
 
 @dataclass(frozen=True)
+class Known:
+    """What fits are to explain: distances, a map, or both."""
+
+    distances: Sequence[Datum] = ()
+    density: DensityData | None = None
+
+    @property
+    def starts(self) -> int:
+        """How many frames are fitted."""
+        return STARTS if self.density is None else STARTS_IN_MAP
+
+    def only(self, some: Sequence[int]) -> Known:
+        """With those distances alone."""
+        return Known([self.distances[k] for k in some], self.density)
+
+    def nearest(self, frames: np.ndarray, count: int) -> np.ndarray:
+        """The frames (F, M, 3) that agree best, and the first one if there is a map: it was put
+        there."""
+        square = violations(frames, self.distances) ** 2
+        order = np.argsort((square / (1 + square / LETS_GO**2)).sum(axis=1), kind="stable")
+        if self.density is None:
+            return np.asarray(order[:count])
+        ranks = np.argsort(order, kind="stable") if len(self.distances) else np.zeros(len(order))
+        by_map = np.argsort(-self.density.correlations(frames, False), kind="stable")
+        ranks = ranks + np.argsort(by_map, kind="stable")
+        return np.unique([0, *np.argsort(ranks, kind="stable")[:count]])
+
+
+@dataclass(frozen=True)
 class NodeFits:
     """Fitted shapes, the one to take first, then by how well they explain the data."""
 
-    positions: np.ndarray  #: (n, M, 3) Angstrom, each superposed on the first
+    positions: np.ndarray  #: (n, M, 3) Angstrom, in the map, or each superposed on the first
     frames: np.ndarray  #: (n,) the frame that each came from
     weights: np.ndarray  #: (n,) sum 1
     violations: np.ndarray  #: (n, K) Angstrom: above 0 where too long
     energy: float  #: the least, of shape, misfit and plausibility
+    strain: np.ndarray  #: (n,) energy of the shape alone
+    correlations: np.ndarray  #: (n,) with the map; without one 0
 
     @property
     def agreeing(self) -> np.ndarray:
         """Which of them agree with the data about as well as the best."""
-        off = np.sqrt((self.violations**2).mean(axis=1))
-        return np.asarray(np.flatnonzero(off <= off.min() + AGREES))
+        off = np.sqrt((self.violations**2).sum(axis=1) / max(1, self.violations.shape[1]))
+        low = self.correlations < self.correlations.max() - CORRELATES
+        return np.asarray(np.flatnonzero((off <= off[~low].min() + AGREES) & ~low))
 
     @property
     def spread(self) -> np.ndarray:
@@ -65,34 +101,39 @@ def violations(nodes: np.ndarray, data: Sequence[Datum]) -> np.ndarray:
 
 def distances(nodes: np.ndarray, data: Sequence[Datum]) -> np.ndarray:
     """(..., K) Angstrom."""
-    pairs = np.array([d.pair for d in data])
+    pairs = np.array([d.pair for d in data], dtype=np.int64).reshape(-1, 2)
     return np.asarray(
         np.linalg.norm(nodes[..., pairs[:, 0], :] - nodes[..., pairs[:, 1], :], axis=-1)
     )
 
 
-def fitted(of: Ensemble, data: Sequence[Datum], starts: int = STARTS) -> NodeFits:
-    """Fits the frames that violate the data least.
+def fitted(of: Ensemble, known: Known, share: float = 1.0, stages: int = STAGES) -> NodeFits:
+    """Fits the frames that agree best with what is known.
 
     The shape that is taken is the one nearest to all others, by how plausible they are and how
     little energy they need: the mean of what is known, but a shape that is possible.
     """
-    square = violations(of.frames, data) ** 2
-    ranks = np.argsort((square / (1 + square / LETS_GO**2)).sum(axis=1), kind="stable")
-    frames = ranks[:starts]
-    pairs = [datum.pair for datum in data]
+    data = known.distances
+    frames = known.nearest(of.frames, max(1, int(share * known.starts)))
+    pairs = np.array([datum.pair for datum in data], dtype=np.int64).reshape(-1, 2)
     low, high = [datum.low for datum in data], [datum.high for datum in data]
     begun = np.ascontiguousarray(of.frames[frames])
-    shapes, strain, misfit = fit_nodes(begun, of.chains, pairs, low, high)
-    evidence = PlausibleShapes(of.start).scores(shapes) - (strain + misfit) / ENERGY
+    shapes, strain, misfit = fit_nodes(begun, of.chains, pairs, low, high, known.density, stages)
+    strained = strain if known.density is None else STRAIN_IN_MAP * strain
+    evidence = PlausibleShapes(of.start).scores(shapes) - (strained + misfit) / ENERGY
     weights = np.exp(evidence - evidence.max())
     weights /= weights.sum()
     first = int(np.argmin(rmsd_to(shapes, shapes) ** 2 @ weights))
     order = np.argsort(-weights, kind="stable")
     order = np.concatenate([[first], order[order != first]])
-    shapes = superpose_onto(shapes[order], slice(None), shapes[first])
+    shapes = np.ascontiguousarray(shapes[order])
+    if known.density is None:
+        shapes, found = superpose_onto(shapes, slice(None), shapes[0]), np.zeros(len(order))
+    else:
+        found = known.density.correlations(shapes, True)
     off = violations(shapes, data)
-    return NodeFits(shapes, frames[order], weights[order], off, float(-ENERGY * evidence.max()))
+    energy = float(-ENERGY * evidence.max())
+    return NodeFits(shapes, frames[order], weights[order], off, energy, strain[order], found)
 
 
 @dataclass(frozen=True)
@@ -105,17 +146,18 @@ class LeftOut:
     drop: float  #: by which the energy falls without it
 
 
-def left_out(of: Ensemble, data: Sequence[Datum], fits: NodeFits) -> dict[int, LeftOut]:
-    """Data as the others predict them: all, or the MOST_LEFT_OUT that are violated most in `fits`
-    to all."""
+def left_out(of: Ensemble, known: Known, fits: NodeFits) -> dict[int, LeftOut]:
+    """Distances as the other data predict them: all, or the MOST_LEFT_OUT that are violated most in
+    `fits` to all."""
     pulls = fits.weights @ np.abs(fits.violations)
     some = np.argsort(-pulls, kind="stable")[:MOST_LEFT_OUT]
-    return {int(k): _without(of, data, int(k), fits.energy) for k in sorted(some)}
+    return {int(k): _without(of, known, int(k), fits.energy) for k in sorted(some)}
 
 
-def _without(of: Ensemble, data: Sequence[Datum], k: int, energy: float) -> LeftOut:
-    one, others = [data[k]], [*data[:k], *data[k + 1 :]]
-    fits = fitted(of, others, FEWER_STARTS)
+def _without(of: Ensemble, known: Known, k: int, energy: float) -> LeftOut:
+    one = [known.distances[k]]
+    others = [other for other in range(len(known.distances)) if other != k]
+    fits = fitted(of, known.only(others), FEWER)
     found = distances(fits.positions, one)[:, 0]
     mean = float(fits.weights @ found)
     spread = float(np.sqrt(fits.weights @ (found - mean) ** 2))
@@ -133,22 +175,22 @@ class Consistent:
     left_out: dict[int, LeftOut]  #: of data, by the others; none where one datum is all
 
 
-def consistent(of: Ensemble, data: Sequence[Datum]) -> Consistent:
-    """Fits `data`; one after the other those that cannot hold with the rest are let go, at most a
-    third."""
-    kept, contradicting = list(range(len(data))), list[int]()
-    known: dict[int, LeftOut] = {}
+def consistent(of: Ensemble, known: Known) -> Consistent:
+    """Fits what is known; one after the other distances that cannot hold with the rest are let go,
+    at most a third."""
+    kept, contradicting = list(range(len(known.distances))), list[int]()
+    tried: dict[int, LeftOut] = {}
     while True:
-        some = [data[k] for k in kept]
+        some = known.only(kept)
         fits = fitted(of, some)
-        if len(some) < 2:
-            return Consistent(fits, kept, contradicting, known)
-        tried = {kept[k]: one for k, one in left_out(of, some, fits).items()}
-        known |= tried
-        worst = max(tried, key=lambda k: tried[k].drop)
-        may_go = 3 * (len(contradicting) + 1) <= len(data)
-        if not (may_go and _contradicts(known[worst])):
-            return Consistent(fits, kept, contradicting, known)
+        if len(kept) < (2 if known.density is None else 1):
+            return Consistent(fits, kept, contradicting, tried)
+        now = {kept[k]: one for k, one in left_out(of, some, fits).items()}
+        tried |= now
+        worst = max(now, key=lambda k: now[k].drop)
+        may_go = 3 * (len(contradicting) + 1) <= len(known.distances)
+        if not (may_go and _contradicts(tried[worst])):
+            return Consistent(fits, kept, contradicting, tried)
         kept.remove(worst)
         contradicting.append(worst)
 

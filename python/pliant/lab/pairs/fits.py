@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Measures fits: distances of the other structure of a pair, given to a fit of the one."""
+"""Measures fits: distances or a density map of the other structure of a pair, given to a fit of the
+one."""
 
 from __future__ import annotations
 
@@ -11,12 +12,13 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant._core import Error, InputError, PathOptions
+from pliant._core import DensityData, DensityMap, Error, InputError, PathOptions
 from pliant.jobs.fit import nodes as at_nodes
 from pliant.jobs.fit.data import Datum
 from pliant.jobs.fit.design import best_pairs, labelled
-from pliant.jobs.fit.fit import FRAMES, Molecule
+from pliant.jobs.fit.molecule import FRAMES, Molecule
 from pliant.lab.pairs.directions import Direction, Judge, directions_of
+from pliant.lab.pairs.maps import noisy, without_half
 from pliant.lab.pool import each_done
 from pliant.lab.results import Cell, Results, print_table
 from pliant.lab.structures import amino_part, quiet, read_quietly
@@ -27,13 +29,20 @@ WRONG = 15.0
 ANY = (0.0, np.inf)
 COUNTS = (5, 10, 20)
 RANDOM, MISTAKEN = "10 random", "10 designed, 1 wrong"
+MAPS = (
+    ("map of 5 A, noise of 1/4", 5.0, partial(noisy, share=0.25)),
+    ("map of 5 A, noise of 1/2", 5.0, partial(noisy, share=0.5)),
+    ("map of 8 A", 8.0, lambda map, _: map),
+    ("map of 8 A, half of it missing", 8.0, lambda map, _: without_half(map)),
+    ("map of 12 A", 12.0, lambda map, _: map),
+)
 LIMITS = (3.0, 2.0)  #: Angstrom
 APART = 8  #: more residues between two that are drawn
 
 
 @dataclass(frozen=True)
 class Fit:
-    """One direction, one set of distances."""
+    """One direction, one set of data."""
 
     protein: str
     direction: str
@@ -48,12 +57,13 @@ class Fit:
 
 @dataclass(frozen=True)
 class Share:
-    """All directions, one set of distances."""
+    """All directions, one set of data."""
 
     data: str
     directions: int
     at_start: float
     reached: float
+    median: float
     below_3: float
     below_2: float
     within: float
@@ -62,10 +72,11 @@ class Share:
 
 
 SHARES: dict[str, Cell] = {
-    "distances": "data",
+    "data": "data",
     "directions": "directions",
     "at first, A": "at_start:.2f",
     "reached, A": "reached:.2f",
+    "median, A": "median:.2f",
     "below 3 A": "below_3:.2f",
     "below 2 A": "below_2:.2f",
     "error within 2 spreads": "within:.2f",
@@ -118,6 +129,7 @@ def _share(rows: Sequence[Fit]) -> Share:
         directions=len(rows),
         at_start=float(np.mean([row.at_start for row in rows])),
         reached=float(reached.mean()),
+        median=float(np.median(reached)),
         below_3=float((reached < LIMITS[0]).mean()),
         below_2=float((reached < LIMITS[1]).mean()),
         within=float(np.mean([row.within for row in rows])),
@@ -158,12 +170,29 @@ class _Case:
         sites = [k for k in labelled(self.molecule, "any", ()) if k in shared]
         made = best_pairs(self.of.frames, sites, COUNTS[-1], ANY, gained=0.0)
         pairs = [one.pair for one in made]
-        found = [row for k in COUNTS for row in self.both(f"{k} designed", self.data(pairs[:k]))]
-        found += self.both(RANDOM, self.data(self.drawn()))
+        found = [row for k in COUNTS for row in self.to(f"{k} designed", self.data(pairs[:k]))]
+        found += self.to(RANDOM, self.data(self.drawn()))
         wrong = int(self.random.integers(min(10, len(pairs))))
-        return [*found, *self.both(MISTAKEN, self.data(pairs[:10], wrong), wrong)]
+        found += self.to(MISTAKEN, self.data(pairs[:10], wrong), wrong)
+        return found + self.to_maps()
 
-    def both(self, name: str, data: list[Datum], wrong: int | None = None) -> list[Fit]:
+    def to_maps(self) -> list[Fit]:
+        """Of all atoms of the other structure; the start is superposed on it."""
+        goal = amino_part(read_quietly(self.direction.goal))
+        start = superpose_onto(self.of.start[None], self.shared, self.goal)[0]
+        frames = np.ascontiguousarray(superpose_onto(self.of.frames, slice(None), start))
+        self.of = at_nodes.Ensemble(start, frames, self.of.chains)
+        found = []
+        for name, resolution, change in MAPS:
+            density = change(DensityMap.from_structure(goal, resolution), resolution)
+            data = DensityData(density, resolution, self.molecule.structure, frames)
+            found += self.fits_to(name, at_nodes.Known([], data), None)
+        return found
+
+    def to(self, name: str, data: list[Datum], wrong: int | None = None) -> list[Fit]:
+        return self.fits_to(name, at_nodes.Known(data), wrong)
+
+    def fits_to(self, name: str, data: at_nodes.Known, wrong: int | None) -> list[Fit]:
         """At the nodes, and with all atoms."""
         begun = time.perf_counter()
         known = at_nodes.consistent(self.of, data)

@@ -58,16 +58,6 @@ std::vector<float> blurred_along(const Grid& points, std::span<const float> valu
   return out;
 }
 
-/// Convolved with a Gaussian of that sigma, Angstrom.
-DensityMap blurred_by(const DensityMap& map, double sigma) {
-  if (!map.grid().is_right_angled()) return blurred_by(on_right_angles(map), sigma);
-  const std::array<double, 3> spacing = map.grid().spacing();
-  std::vector<float> values(map.values().begin(), map.values().end());
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    values = blurred_along(map.grid().points(), values, axis, sigma / spacing[axis]);
-  return {map.grid(), std::move(values)};
-}
-
 MapGrid right_angled_around(const MapGrid& grid) {
   std::vector<Vec3> corners;
   for (std::size_t k = 0; k < 8; ++k) {
@@ -107,6 +97,15 @@ DensityMap on_right_angles(const DensityMap& map) {
   for (std::size_t point = 0; point < grid.size(); ++point)
     values.push_back(static_cast<float>(map.at(place_of(grid, point)).value));
   return {grid, std::move(values)};
+}
+
+DensityMap blurred_by(const DensityMap& map, double sigma) {
+  if (!map.grid().is_right_angled()) return blurred_by(on_right_angles(map), sigma);
+  const std::array<double, 3> spacing = map.grid().spacing();
+  std::vector<float> values(map.values().begin(), map.values().end());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    values = blurred_along(map.grid().points(), values, axis, sigma / spacing[axis]);
+  return {map.grid(), std::move(values)};
 }
 
 DensityMap blurred(const DensityMap& map, double resolution) {

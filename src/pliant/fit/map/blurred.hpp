@@ -18,6 +18,8 @@ DensityMap on_right_angles(const DensityMap& map);
 /// both. A map on a skewed grid is put onto right angles first. Linear in points and in sigma.
 /// Throws OptionError as check_resolution() does.
 DensityMap blurred(const DensityMap& map, double resolution);
+/// The same for a Gaussian of that sigma (Angstrom).
+DensityMap blurred_by(const DensityMap& map, double sigma);
 
 /// A map of some `resolution` from coarse to fine, each with its greatest value 1: at
 /// 2^(levels - 1) times that resolution, ..., twice, and as it is. Throws OptionError as

@@ -15,6 +15,9 @@ struct Within {
   double part;
 };
 
+constexpr const char* outside_text =
+    "density map: the molecule lies outside of it; put it there first (place)";
+
 /// A place that rounding has put this far outside is inside.
 constexpr double slack = 1e-9;
 
@@ -124,6 +127,42 @@ DensityMap scaled(const DensityMap& map, double shift, double unit) {
   std::vector<float> values(map.values().begin(), map.values().end());
   for (float& value : values) value = static_cast<float>((value - shift) / unit);
   return {map.grid(), std::move(values)};
+}
+
+DensityMap cropped(const DensityMap& map, std::span<const Vec3> positions, double margin) {
+  const MapGrid& grid = map.grid();
+  GridBox box{grid.count, {}};
+  for (const Vec3 position : positions) {
+    const GridBox one = box_around(grid, map.places(), position, margin);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (one.low[k] >= one.high[k]) continue;
+      box.low[k] = std::min(box.low[k], one.low[k]);
+      box.high[k] = std::max(box.high[k], one.high[k]);
+    }
+  }
+  MapGrid part = grid;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.high[k] < box.low[k] + 2) throw InputError(outside_text);
+    part.count[k] = box.high[k] - box.low[k];
+  }
+  part.origin = grid.place(static_cast<double>(box.low[0]), static_cast<double>(box.low[1]),
+                           static_cast<double>(box.low[2]));
+  std::vector<float> values;
+  values.reserve(part.size());
+  for (std::size_t i = box.low[0]; i < box.high[0]; ++i)
+    for (std::size_t j = box.low[1]; j < box.high[1]; ++j) {
+      const std::size_t first = grid.points().at(i, j, box.low[2]);
+      const auto row = map.values().subspan(first, part.count[2]);
+      values.insert(values.end(), row.begin(), row.end());
+    }
+  return {part, std::move(values)};
+}
+
+double median(const DensityMap& map) {
+  std::vector<float> sorted(map.values().begin(), map.values().end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
 }
 
 DensityMap normalized(const DensityMap& map) {

@@ -70,6 +70,13 @@ std::string not_finite_text(const Grid& points, std::span<const float> values);
 /// The map with (value - shift) / unit for each value.
 DensityMap scaled(const DensityMap& map, double shift, double unit);
 
+/// The part of a map within `margin` (Angstrom) of positions, along each axis. Throws InputError
+/// where no point of the map is so near: "the molecule lies outside of the map".
+DensityMap cropped(const DensityMap& map, std::span<const Vec3> positions, double margin);
+
+/// The median of the values: what is around a molecule, as a rule.
+double median(const DensityMap& map);
+
 /// The map with mean 0 and deviation 1. Throws InputError if all values are equal.
 DensityMap normalized(const DensityMap& map);
 

@@ -1,27 +1,48 @@
 // SPDX-License-Identifier: MIT
-// A density map as a term of an energy.
+// A density map as a term of a fit.
 #pragma once
 
-#include <memory>
-#include <span>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
 
-#include "pliant/fit/map/density_map.hpp"
+#include "pliant/fit/fit_term.hpp"
+#include "pliant/fit/map/density_target.hpp"
+#include "pliant/fit/map/residue_sites.hpp"
 
 namespace pliant {
 
-/// Minus the sum of the density at points: low where points are in density.
-class DensityTerm {
+/// w N |map - s mass|^2 / |map|^2: what is left of the map once the molecule's own density is taken
+/// from it. s scales masses to densities (see weigh()), N is the number of nodes, w grows from
+/// stage to stage; the first stages look at the coarse map. As the molecule's own density counts,
+/// nodes are not drawn into each other where the map is densest.
+class DensityTerm : public FitTerm {
  public:
-  explicit DensityTerm(DensityMap map);
+  /// The target must outlive it.
+  explicit DensityTerm(const DensityTarget& target) : target_(target), sites_(target.sites()) {}
+  void begin(std::size_t stage, std::span<const Vec3> nodes) override;
+  double add(std::span<const Vec3> nodes, std::span<Vec3> gradient) const override;
 
-  /// Returns -weight x the sum of the map's values at `x` (Angstrom), and adds its gradient to
-  /// `gradient` (one for each point). Points outside of the map add nothing. Copies share the map.
-  double add(std::span<const Vec3> x, double weight, std::span<Vec3> gradient) const;
-
-  const DensityMap& map() const { return *map_; }
+  /// The correlation at the level of the stage.
+  double correlation(std::span<const Vec3> nodes);
 
  private:
-  std::shared_ptr<const DensityMap> map_;
+  struct Overlap {
+    std::vector<double> parts;  ///< of each point of mass
+    std::vector<Vec3> slopes;   ///< of their sum, by place
+    double value() const { return std::accumulate(parts.begin(), parts.end(), 0.0); }
+  };
+  void weigh(std::span<const Vec3> places);
+  Overlap with_map(std::span<const Vec3> places) const;
+  Overlap with_itself(std::span<const Vec3> places) const;
+
+  const DensityTarget& target_;
+  const ResidueSites& sites_;
+  const DensityLevel* level_ = nullptr;
+  double weight_ = 0.0, scale_ = 0.0;
+  std::vector<double> held_;  ///< from 0 to 1: how far the map holds each point of mass
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> near_;
 };
 
 }  // namespace pliant

@@ -269,24 +269,22 @@ void check_body(std::span<const Vec3> positions, std::span<const double> weights
 
 }  // namespace
 
-Placing place_in_map(const DensityMap& map, std::span<const Vec3> positions,
-                     std::span<const double> weights, double resolution) {
+std::vector<Placing> place_in_map(const DensityMap& map, std::span<const Vec3> positions,
+                                  std::span<const double> weights, double resolution,
+                                  std::size_t most) {
   check_body(positions, weights);
   const std::vector<DensityMap> maps = density_pyramid(map, resolution);
   const Body body(positions, weights, most_climbed);
   Body searching(positions, weights, most_searched);
   searching.shun(shell_of(positions, resolution, most_searched));
   std::vector<Trial> found = summits(maps[0], searching, searched(maps[0], searching), fine_climbs);
-  found = summits(maps[1], searching, std::move(found), 1);
-  const RigidMotion motion = searching.placing(found.front()).motion;
-  return body.placing(body.polished(maps[1], body.climb(maps[1], body.trial(motion), 0.1)));
-}
-
-Placing climb_in_map(const DensityMap& map, std::span<const Vec3> positions,
-                     std::span<const double> weights, const RigidMotion& start) {
-  check_body(positions, weights);
-  const Body body(positions, weights, most_climbed);
-  return body.placing(body.polished(map, body.climb(map, body.trial(start), 0.1)));
+  found = summits(maps[1], searching, std::move(found), most);
+  std::vector<Placing> out;
+  for (const Trial& trial : found) {
+    const Trial start = body.trial(searching.placing(trial).motion);
+    out.push_back(body.placing(body.polished(maps[1], body.climb(maps[1], start, 0.1))));
+  }
+  return out;
 }
 
 }  // namespace pliant

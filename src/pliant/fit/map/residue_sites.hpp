@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Where the mass of residues is, told from alpha carbons alone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pliant/fit/shape_terms.hpp"
+
+namespace pliant {
+
+/// A point that moves with a node and its neighbours along the chain: at x + a u + b v + c u x v,
+/// where u and v lead from x, the node, to the next one and to the one before.
+struct ResidueSite {
+  std::uint32_t node = 0;
+  bool has_frame = false;  ///< whether the node has both neighbours; else it is at the node
+  double weight = 0.0;
+  Vec3 local;  ///< a, b (of length 1) and c (1/Angstrom)
+};
+
+/// Points of mass of a molecule.
+class ResidueSites {
+ public:
+  /// Two for each node: the mass of the atoms near to it (of a backbone), and of the others.
+  /// `atoms` and `weights` are at the same time as the nodes; `node_of` says to which node an atom
+  /// belongs.
+  ResidueSites(const FitNodes& nodes, std::span<const Vec3> atoms, std::span<const double> weights,
+               std::span<const std::uint32_t> node_of);
+
+  std::size_t node_count() const { return nodes_; }
+  std::size_t size() const { return sites_.size(); }
+  double weight(std::size_t k) const { return sites_[k].weight; }
+  std::vector<Vec3> places(std::span<const Vec3> nodes) const;
+  /// Adds what a gradient by places (one for each site) is by nodes.
+  void add_gradient(std::span<const Vec3> nodes, std::span<const Vec3> by_place,
+                    std::span<Vec3> gradient) const;
+
+ private:
+  std::size_t nodes_;
+  std::vector<ResidueSite> sites_;
+};
+
+}  // namespace pliant
