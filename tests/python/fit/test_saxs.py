@@ -157,7 +157,7 @@ def test_diameters():
         ([], "give distances, a map, or both; or saxs"),
         (["--saxs", "a.dat", "--distances", "b.csv"], "give distances, a map, or both; or saxs"),
         (["--distances", "b.csv", "--ensemble"], "ensemble, background: are for saxs"),
-        (["--saxs", "a.dat", "--keep", "2"], "keep = 2: is for distances"),
+        (["--saxs", "a.dat", "--keep", "2"], "keep = 2: is not for saxs"),
     ],
 )
 def test_options_of_the_other_kind_are_refused(tmp_path, capsys, words, expected):

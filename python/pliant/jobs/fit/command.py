@@ -57,8 +57,7 @@ examples:
 """
 
 #: options that --help shows
-COMMON = ("--distances", "--map", "--resolution", "--place", "--saxs", "--output", "--keep",
-          "--frames", "--select")  # fmt: skip
+COMMON = ("--distances", "--map", "--resolution", "--place", "--saxs", "--output", "--select")
 #: of a path alone
 NOT_OURS = ("atoms", "step", "both", "backtrack", "seed")
 

@@ -18,7 +18,7 @@ from pliant.trajectory.superposition import rotations
 
 PLACES, TRIED = 8, 60  #: that START may have in a map, and frames that are tried there
 AGREES = 0.5  #: correlation from which a structure and a map are said to agree
-BARE = 0.25  #: of the median density of residues: less supports none
+BARE = 0.25  #: of the density that residues have by median, for their mass: less supports none
 COARSEST = 0.5  #: of the resolution: points of a map further apart keep less than it
 SOME = 0.01  #: of the density: less is not worth a place
 FLOOR = 1 / 16  #: of the resolution: a map determines no residue better (measured on known pairs)
@@ -145,7 +145,11 @@ class MapAgreement:
         if self.judged is not None:
             rows.append(("other half", f"{self.judged:.3f} (START {self.judged_at_start:.3f})"))
         where = self.most_unexplained
-        most = "" if where is None or self.unexplained < SOME else ", most at " + " ".join(f"{x:.0f}" for x in where) + " A"
+        most = (
+            ""
+            if where is None or self.unexplained < SOME
+            else ", most at " + " ".join(f"{x:.0f}" for x in where) + " A"
+        )
         rows.append(("unexplained", f"{100 * self.unexplained:.0f} % of the density{most}"))
         return rows
 
@@ -179,8 +183,10 @@ def agreement_with(
     density, resolution, half = data.density, data.resolution, data.half
     local = density.local_correlation(found, resolution)
     share, centers, _ = density.unexplained(found)
-    supported = density.at(np.asarray(found.positions)[atoms])[0]
-    bare = np.flatnonzero(supported < BARE * np.median(supported))
+    expected = DensityMap.from_structure(found, resolution, like=density)
+    places = np.asarray(found.positions)[atoms]
+    support = density.at(places)[0] / np.maximum(expected.at(places)[0], 1e-9)
+    bare = np.flatnonzero(support < BARE * np.median(support))
     return MapAgreement(
         resolution=resolution,
         at_start=density.correlation(start, resolution),
