@@ -14,16 +14,19 @@ void DistanceTerm::begin(std::size_t stage, std::span<const Vec3> /*nodes*/) {
 }
 
 double DistanceTerm::add(std::span<const Vec3> nodes, std::span<Vec3> gradient) const {
+  const std::vector<Vec3> places = sites_.places(nodes);
+  std::vector<Vec3> slopes(places.size());
   double value = 0.0;
   for (const FitDistance& datum : data_) {
-    const Vec3 between = nodes[datum.a] - nodes[datum.b];
+    const Vec3 between = places[datum.a] - places[datum.b];
     const double r = norm(between), u = outside(datum, r);
     if (u == 0.0) continue;
     value += weight_ * u * u;
     const Vec3 force = (2.0 * weight_ * u / std::max(r, 1e-9)) * between;
-    gradient[datum.a] += force;
-    gradient[datum.b] -= force;
+    slopes[datum.a] += force;
+    slopes[datum.b] -= force;
   }
+  sites_.add_gradient(nodes, slopes, gradient);
   return value;
 }
 

@@ -7,12 +7,13 @@
 #include <span>
 
 #include "pliant/fit/fit_term.hpp"
+#include "pliant/fit/residue_sites.hpp"
 
 namespace pliant {
 
-/// What is known of the distance of two nodes.
+/// What is known of the distance of two sites.
 struct FitDistance {
-  std::uint32_t a = 0, b = 0;
+  std::uint32_t a = 0, b = 0;                                        ///< indices of sites
   double low = 0.0, high = std::numeric_limits<double>::infinity();  ///< Angstrom
 };
 
@@ -23,13 +24,15 @@ double outside(const FitDistance& datum, double distance);
 /// others is not decided here: fits without them tell.
 class DistanceTerm : public FitTerm {
  public:
-  /// The data must outlive it.
-  explicit DistanceTerm(std::span<const FitDistance> data) : data_(data) {}
+  /// Both must outlive it.
+  DistanceTerm(std::span<const FitDistance> data, const ResidueSites& sites)
+      : data_(data), sites_(sites) {}
   void begin(std::size_t stage, std::span<const Vec3> nodes) override;
   double add(std::span<const Vec3> nodes, std::span<Vec3> gradient) const override;
 
  private:
   std::span<const FitDistance> data_;
+  const ResidueSites& sites_;
   double weight_ = 0.0;
 };
 

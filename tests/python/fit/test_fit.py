@@ -17,6 +17,7 @@ from pliant.jobs.fit.command import main
 from pliant.jobs.fit.data import Sites, in_nanometres, read_distances
 from pliant.jobs.fit.design import best_pairs
 from pliant.jobs.fit.design_command import main as design_main
+from pliant.jobs.fit.nodes import distances
 
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 OPEN, CLOSED = DATA / "adk_open.pdb", DATA / "adk_closed.pdb"
@@ -174,6 +175,34 @@ def test_a_cross_link_is_an_upper_limit():
     fit = pliant.fit(OPEN, [{"site1": 55, "site2": 170, "kind": "EDC"}], frames=60)
     assert (fit.data[0].low, fit.data[0].high) == (0, 20)
     assert fit.data[0].found < 21
+
+
+def test_labels_are_where_beta_carbons_point():
+    structure = pliant.read(CLOSED)
+    atoms = np.flatnonzero(structure.names == "CA")
+    sites = Sites(structure, atoms)
+    row = {"site1": 55, "site2": 170, "distance": 30, "error": 5, "kind": "mtsl"}
+    datum = read_distances([row], sites)[0]
+    ends = []
+    for residue in (55, 170):
+        of = structure.residue_ids == residue
+        alpha, beta = (
+            structure.positions[of & (structure.names == name)][0] for name in ("CA", "CB")
+        )
+        ends.append(alpha + 4.1 * (beta - alpha) / np.linalg.norm(beta - alpha))
+    apart = np.linalg.norm(ends[0] - ends[1])
+    assert distances(structure.positions[atoms], [datum])[0] == pytest.approx(apart, abs=0.6)
+    with pytest.raises(
+        pliant.InputError, match="site1: expected an amino acid that is not the end"
+    ):
+        read_distances([row | {"site1": 1}], sites)
+
+
+def test_a_distance_between_labels_is_met():
+    row = {"site1": 41, "site2": 148, "low": 22, "high": 24, "kind": "MTSL"}
+    fit = pliant.fit(OPEN, [row], frames=60)
+    assert fit.data[0].at_start > 28
+    assert 21.5 < fit.data[0].found < 24.5
 
 
 def test_nanometres_are_noticed():

@@ -23,6 +23,14 @@ FitNodes hairpin(std::size_t count = 24) {
   return nodes;
 }
 
+/// One for each node, at an arm from it.
+ResidueSites all_sites(const FitNodes& nodes, Vec3 arm = {}) {
+  std::vector<ResidueSite> sites;
+  for (std::uint32_t k = 0; k < nodes.positions.size(); ++k)
+    sites.push_back(residue_site(nodes, k, arm));
+  return {nodes.positions.size(), sites};
+}
+
 std::vector<Vec3> shaken(std::vector<Vec3> x) {
   for (std::size_t k = 0; k < x.size(); ++k)
     x[k] += Vec3{0.3 * double(k % 3) - 0.3, 0.2 * double(k % 5) - 0.4, 0.25 * double(k % 4) - 0.4};
@@ -41,9 +49,14 @@ TEST(FitTerms, HaveTheGradientsOfTheirValues) {
   expect_gradient(sterics, squeezed);
   const std::vector<FitDistance> data{{.a = 0, .b = 23, .low = 9, .high = 10},
                                       {.a = 3, .b = 15, .low = 2, .high = 4}};
-  DistanceTerm distances(data);
+  const ResidueSites sites = all_sites(nodes);
+  DistanceTerm distances(data, sites);
   distances.begin(2, nodes.positions);
   expect_gradient(distances, shaken(nodes.positions));
+  const ResidueSites labels = all_sites(nodes, {1, 3, 2});
+  DistanceTerm labelled(data, labels);
+  labelled.begin(2, nodes.positions);
+  expect_gradient(labelled, shaken(nodes.positions));
 }
 
 TEST(SpringTerm, IsAtRestAtTheStart) {
@@ -66,7 +79,8 @@ TEST(SpringTerm, GivesWayWhenStretched) {
 TEST(FitNodes, FindTheMinimumOfASpringAndADatum) {
   const FitNodes two{.positions = {{0, 0, 0}, {6, 0, 0}}, .chain = {0, 1}};
   const std::vector<FitDistance> data{{.a = 0, .b = 1, .low = 4.5, .high = 4.5}};
-  DistanceTerm term(data);
+  const ResidueSites sites = all_sites(two);
+  DistanceTerm term(data, sites);
   FitTerm* const terms[] = {&term};
   const FittedNodes found = fit_nodes(two, terms);
   EXPECT_NEAR(distance(found.positions[0], found.positions[1]), 6.0 - 20.0 * 1.5 / 21.0, 1e-3);
@@ -75,7 +89,8 @@ TEST(FitNodes, FindTheMinimumOfASpringAndADatum) {
 TEST(FitNodes, OpenAHairpinAndKeepItsStrands) {
   const FitNodes nodes = hairpin();
   const std::vector<FitDistance> data{{.a = 0, .b = 23, .low = 19, .high = 20}};
-  DistanceTerm term(data);
+  const ResidueSites sites = all_sites(nodes);
+  DistanceTerm term(data, sites);
   FitTerm* const terms[] = {&term};
   const FittedNodes found = fit_nodes(nodes, terms);
   EXPECT_GT(distance(found.positions[0], found.positions[23]), 18.5);

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import math
 import os
 import re
@@ -13,11 +14,16 @@ from typing import Any
 
 import numpy as np
 
-from pliant._core import Error, InputError, Structure, select_atoms
+from pliant._core import Error, InputError, Structure, outward_places, select_atoms
 
 #: longest distance between alpha carbons that a reagent spans, Angstrom
 REAGENTS = {"DSS": 30.0, "BS3": 30.0, "DSSO": 30.0, "EDC": 20.0}
-KINDS = ("CA", *REAGENTS)
+#: how far a label's mean position is from the alpha carbon, towards the beta carbon, Angstrom:
+#: of rotamers of MTSL (chiLife's R1M, 70 sites of three proteins; where a label is differs from
+#: that by 3.7 Angstrom along any line)
+LABELS = {"MTSL": 4.1}
+KINDS = ("CA", *REAGENTS, *LABELS)
+NO_LABEL = np.zeros((2, 3))
 
 COLUMNS = ("site1", "site2", "distance", "error", "low", "high", "kind")
 RESIDUE = re.compile(r"(?:([^\s:]+):)?(-?\d+)$")  #: "A:45", "45"
@@ -32,6 +38,8 @@ class Datum:
     pair: tuple[int, int]  #: nodes
     low: float  #: Angstrom
     high: float  #: infinite where nothing is known
+    #: (2, 3) places of labels by the frames of the nodes, see ``outward_places``
+    local: np.ndarray = dataclasses.field(default_factory=lambda: NO_LABEL)
 
 
 class Sites:
@@ -42,6 +50,7 @@ class Sites:
         residues = np.asarray(structure.residue_of)
         self._node = {int(residues[atom]): k for k, atom in enumerate(atoms)}
         chains = [str(structure.chains[atom]) for atom in atoms]
+        self.outward = outward_places(structure)
         self.labels = [
             f"{chain}:{int(structure.residue_ids[atom])}"
             if chain
@@ -125,7 +134,15 @@ class _Row:
         if ends[0] == ends[1]:
             raise self.wrong("site2", f"another residue than site1, {sites.labels[ends[0]]}")
         name = f"{sites.labels[ends[0]]} - {sites.labels[ends[1]]}"
-        return Datum(name, (ends[0], ends[1]), *self.interval())
+        return Datum(name, (ends[0], ends[1]), *self.interval(), self._places(sites, ends))
+
+    def _places(self, sites: Sites, ends: Sequence[int]) -> np.ndarray:
+        length = LABELS.get(self.text("kind").upper(), 0.0)
+        local = length * sites.outward[list(ends)]
+        for field, place in zip(("site1", "site2"), local, strict=True):
+            if length and not place.any():
+                raise self.wrong(field, "an amino acid that is not the end of a chain, for a label")
+        return np.asarray(local)
 
 
 def read_distances(given: Any, sites: Sites) -> list[Datum]:

@@ -12,7 +12,7 @@ from pliant._core import MolecularModel, Structure
 from pliant.base.display import Displayed, Facts
 from pliant.jobs.fit.data import Datum
 from pliant.jobs.fit.in_map import MapAgreement
-from pliant.jobs.fit.nodes import LeftOut, violations
+from pliant.jobs.fit.nodes import LeftOut, distances, violations
 from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.trajectory import HasFrames, Trajectory
 
@@ -164,20 +164,17 @@ def agreement_of(
 ) -> list[Agreement]:
     """Of nodes (M, 3) of the start and of the best structure."""
     off = violations(found, data)
+    here, there = distances(start, data), distances(found, data)
     return [
         Agreement(
             one.name,
             one.low,
             one.high,
-            _apart(start, one.pair),
-            _apart(found, one.pair),
+            float(here[k]),
+            float(there[k]),
             float(off[k]),
             k in contradicting,
             left_out[k].predicted if k in left_out else None,
         )
         for k, one in enumerate(data)
     ]
-
-
-def _apart(nodes: np.ndarray, pair: tuple[int, int]) -> float:
-    return float(np.linalg.norm(nodes[pair[0]] - nodes[pair[1]]))

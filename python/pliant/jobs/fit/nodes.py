@@ -100,11 +100,29 @@ def violations(nodes: np.ndarray, data: Sequence[Datum]) -> np.ndarray:
 
 
 def distances(nodes: np.ndarray, data: Sequence[Datum]) -> np.ndarray:
-    """(..., K) Angstrom."""
-    pairs = np.array([d.pair for d in data], dtype=np.int64).reshape(-1, 2)
-    return np.asarray(
-        np.linalg.norm(nodes[..., pairs[:, 0], :] - nodes[..., pairs[:, 1], :], axis=-1)
-    )
+    """(..., K) Angstrom, of nodes or labels."""
+    pairs, local = _pairs(data), _local(data)
+    ends = [_places(nodes, pairs[:, k], local[:, k]) for k in (0, 1)]
+    return np.asarray(np.linalg.norm(ends[0] - ends[1], axis=-1))
+
+
+def _pairs(data: Sequence[Datum]) -> np.ndarray:
+    return np.array([datum.pair for datum in data], dtype=np.int64).reshape(-1, 2)
+
+
+def _local(data: Sequence[Datum]) -> np.ndarray:
+    return np.array([datum.local for datum in data]).reshape(-1, 2, 3)
+
+
+def _places(nodes: np.ndarray, at: np.ndarray, local: np.ndarray) -> np.ndarray:
+    """(..., K, 3) of nodes (..., M, 3), at places (K, 3) as ``outward_places`` gives them."""
+    here = nodes[..., at, :]
+    if not local.any():
+        return np.asarray(here)
+    u = nodes[..., np.minimum(at + 1, nodes.shape[-2] - 1), :] - here
+    v = nodes[..., np.maximum(at - 1, 0), :] - here
+    a, b, c = local.T[:, :, None]
+    return np.asarray(here + a * u + b * v + c * np.cross(u, v))
 
 
 def fitted(of: Ensemble, known: Known, share: float = 1.0, stages: int = STAGES) -> NodeFits:
@@ -115,10 +133,10 @@ def fitted(of: Ensemble, known: Known, share: float = 1.0, stages: int = STAGES)
     """
     data = known.distances
     frames = known.nearest(of.frames, max(1, int(share * known.starts)))
-    pairs = np.array([datum.pair for datum in data], dtype=np.int64).reshape(-1, 2)
     low, high = [datum.low for datum in data], [datum.high for datum in data]
     begun = np.ascontiguousarray(of.frames[frames])
-    shapes, strain, misfit = fit_nodes(begun, of.chains, pairs, low, high, known.density, stages)
+    of_data = _pairs(data), low, high, _local(data)
+    shapes, strain, misfit = fit_nodes(begun, of.chains, *of_data, known.density, stages)
     strained = strain if known.density is None else STRAIN_IN_MAP * strain
     evidence = PlausibleShapes(of.start).scores(shapes) - (strained + misfit) / ENERGY
     weights = np.exp(evidence - evidence.max())

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pliant/fit/map/density_map.hpp"
-#include "pliant/fit/map/residue_sites.hpp"
+#include "pliant/fit/residue_sites.hpp"
 
 namespace pliant {
 

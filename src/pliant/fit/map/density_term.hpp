@@ -9,7 +9,7 @@
 
 #include "pliant/fit/fit_term.hpp"
 #include "pliant/fit/map/density_target.hpp"
-#include "pliant/fit/map/residue_sites.hpp"
+#include "pliant/fit/residue_sites.hpp"
 
 namespace pliant {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where the mass of residues is, told from alpha carbons alone.
+// Points of residues, such as their mass or labels, told from alpha carbons alone.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "pliant/fit/shape_terms.hpp"
@@ -19,12 +20,19 @@ struct ResidueSite {
   Vec3 local;  ///< a, b (of length 1) and c (1/Angstrom)
 };
 
-/// Points of mass of a molecule.
+/// A point that moves with a node, at `arm` from it now.
+ResidueSite residue_site(const FitNodes& nodes, std::uint32_t node, Vec3 arm, double weight = 1.0);
+
+/// Points of a molecule, by its nodes.
 class ResidueSites {
  public:
-  /// Two for each node: the mass of the atoms near to it (of a backbone), and of the others.
-  /// `atoms` and `weights` are at the same time as the nodes; `node_of` says to which node an atom
-  /// belongs.
+  /// Each `site` belongs to one of so many nodes.
+  ResidueSites(std::size_t nodes, std::vector<ResidueSite> sites)
+      : nodes_(nodes), sites_(std::move(sites)) {}
+
+  /// Two points of mass for each node: the mass of the atoms near to it (of a backbone), and of the
+  /// others. `atoms` and `weights` are at the same time as the nodes; `node_of` says to which node
+  /// an atom belongs.
   ResidueSites(const FitNodes& nodes, std::span<const Vec3> atoms, std::span<const double> weights,
                std::span<const std::uint32_t> node_of);
 

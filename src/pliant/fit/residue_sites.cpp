@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/fit/map/residue_sites.hpp"
+#include "pliant/fit/residue_sites.hpp"
 
 #include <array>
 #include <cmath>
@@ -35,6 +35,12 @@ Vec3 local_of(const Neighbours& by, Vec3 arm) {
 
 }  // namespace
 
+ResidueSite residue_site(const FitNodes& nodes, std::uint32_t node, Vec3 arm, double weight) {
+  ResidueSite site{node, is_linked(nodes, node), weight, {}};
+  if (site.has_frame) site.local = local_of({nodes.positions, node}, arm);
+  return site;
+}
+
 ResidueSites::ResidueSites(const FitNodes& nodes, std::span<const Vec3> atoms,
                            std::span<const double> weights, std::span<const std::uint32_t> node_of)
     : nodes_(nodes.positions.size()) {
@@ -52,10 +58,8 @@ ResidueSites::ResidueSites(const FitNodes& nodes, std::span<const Vec3> atoms,
   for (std::uint32_t node = 0; node < masses.size(); ++node)
     for (const Mass& mass : masses[node]) {
       if (mass.weight == 0.0) continue;
-      ResidueSite site{node, is_linked(nodes, node), mass.weight, {}};
-      if (site.has_frame)
-        site.local = local_of({nodes.positions, node}, (1.0 / mass.weight) * mass.moment);
-      sites_.push_back(site);
+      const Vec3 arm = (1.0 / mass.weight) * mass.moment;
+      sites_.push_back(residue_site(nodes, node, arm, mass.weight));
     }
 }
 
