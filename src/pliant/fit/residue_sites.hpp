@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points of residues, such as their mass or labels, told from alpha carbons alone.
+// Where points of residues are, such as their mass or a label, as alpha carbons alone tell.
 #pragma once
 
 #include <cstdint>

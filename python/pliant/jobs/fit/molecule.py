@@ -50,13 +50,12 @@ class Molecule:
 
     def sampled(self) -> None:
         """Makes the ensemble, or reads it; the start is its first frame."""
-        made = self._made() if isinstance(self._frames, int) else self._read(self._frames)
+        given = self._frames
+        made = self._made(given) if isinstance(given, int) else self._read(given)
         self.frames = np.concatenate([np.asarray(self.model.positions)[None], made])
 
-    def _made(self) -> np.ndarray:
-        return np.asarray(
-            sample(self.model, self._frames, seed=self._seed, sampler="reach").positions
-        )
+    def _made(self, count: int) -> np.ndarray:
+        return np.asarray(sample(self.model, count, seed=self._seed, sampler="reach").positions)
 
     def _read(self, path: str | os.PathLike[str]) -> np.ndarray:
         given = Trajectory(path)

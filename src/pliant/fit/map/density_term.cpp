@@ -74,8 +74,7 @@ DensityTerm::Overlap DensityTerm::with_itself(std::span<const Vec3> places) cons
     if (squared > 2.0 * reach * reach * variance) continue;
     // What the map does not hold would else be driven apart, as nothing is expected there.
     const double shared = std::max(held_[i], held_[j]) * integral * sites_.weight(i) *
-                          sites_.weight(j) *
-                          exact_bits_exp(-0.25 * squared / variance);
+                          sites_.weight(j) * exact_bits_exp(-0.25 * squared / variance);
     out.parts[i] += shared;
     out.parts[j] += shared;
     const Vec3 slope = (-shared / variance) * between;
