@@ -63,7 +63,7 @@ WINGS = {
     "resolve": ("method", "sweeps", "equations", "newton", "shake", "blocks", "lanes", "bodies"),
     "resolve/bodies": ("tree", "near", "pull", "outward", "region"),
     "conformers": ("rings", "torsions", "strain", "choice"),
-    "sample": ("network", "turns", "pocket"),
+    "sample": ("network", "turns", "loops", "pocket"),
     "fit": (ITSELF, "map", "saxs"),
     "jobs": ("asked", "files"),
     "lab": ("examples", "generate", "test_sets"),

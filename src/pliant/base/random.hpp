@@ -30,6 +30,7 @@ enum class Domain : std::uint64_t {
   pocket = 13,       ///< side chains and segments of a place in a sampled frame
   start = 14,        ///< how rings of a further start of conformers are shaken
   region = 15,       ///< whether a push that a region cannot follow is tried in a larger one
+  loop = 16,         ///< loops of proteins that are redrawn in a sampled frame
 };
 
 /// Where a random number is used: all of its fields together make the draw.

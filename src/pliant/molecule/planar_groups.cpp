@@ -107,12 +107,15 @@ class PlanarGroups {
     if (element(c) != carbon || element(n) != nitrogen) return false;
     if (neighbours_.at(n).size() > most_at_nitrogen) return false;
     if (bond.origin == BondOrigin::link) return true;
+    // Of modified residues no orders are known.
+    const bool is_link = structure_.atoms.residue_of[c] != structure_.atoms.residue_of[n];
     const auto around = neighbours_.at(c);
     return std::any_of(around.begin(), around.end(), [&](const Neighbour& at) {
       const std::uint8_t other = element(at.atom);
       if (at.atom == n) return false;
       if (at.is_aromatic) return other == nitrogen && bears_hydrogens_alone(n, c);
       if (at.order == aromatic) return other == nitrogen;
+      if (at.order == 0 && is_link && other == oxygen) return neighbours_.at(at.atom).size() == 1;
       return at.order == twofold && (other == oxygen || other == sulphur || other == nitrogen);
     });
   }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "pliant/base/random.hpp"
+#include "pliant/sample/loops/loop_moves.hpp"
 #include "pliant/sample/modes_sampler.hpp"
 #include "pliant/sample/network/network_modes.hpp"
 #include "pliant/sample/pocket/pocket.hpp"
@@ -27,8 +28,17 @@ std::vector<bool> nodes_in(const Pocket& place, const std::vector<std::uint32_t>
   return in_place;
 }
 
-/// Side chains of the place are redrawn from rotamers, segments and domains beside it turn, and all
-/// goes along a draw of the modes. Contacts that this would tear are let go.
+/// Of the atom table; all if there is none.
+std::vector<bool> residues_in(const Pocket& place, const Framework& framework) {
+  if (framework.atoms() == nullptr) return {};
+  std::vector<bool> in_place(framework.atoms()->residues.size(), false);
+  for (const std::uint32_t residue : place.residues) in_place[residue] = true;
+  return in_place;
+}
+
+/// Side chains of the place are redrawn from rotamers, segments and domains beside it turn, or
+/// loops that touch it are redrawn, and all goes along a draw of the modes. Contacts that this
+/// would tear are let go.
 class PocketSampler final : public Sampler {
  public:
   explicit PocketSampler(const SamplerSetting& setting);
@@ -39,6 +49,7 @@ class PocketSampler final : public Sampler {
 
  private:
   void turn(const DrawnTurns& turned, const std::vector<Vec3>& moves, FrameRequest& request) const;
+  void redraw_loops(std::int64_t frame, int attempt, std::vector<Vec3>& x) const;
   void let_go(std::span<const Vec3> without_modes, FrameRequest& request) const;
 
   const Framework& framework_;
@@ -47,6 +58,7 @@ class PocketSampler final : public Sampler {
   std::vector<std::uint32_t> of_joint_;
   Pocket place_;
   PocketTurns turns_;
+  LoopMoves loops_;
   SideChainMoves side_chains_;
   ModesSampler modes_;
   std::uint64_t seed_;
@@ -62,6 +74,7 @@ PocketSampler::PocketSampler(const SamplerSetting& setting, const NetworkModes& 
       of_joint_(nodes_of_joints(setting.nodes, setting.start)),
       place_(pocket_around(framework_, start_, setting.options.around_joints)),
       turns_(nodes_, modes, nodes_in(place_, of_joint_, nodes_.positions.size())),
+      loops_(framework_, setting.plan, start_, residues_in(place_, framework_)),
       side_chains_(framework_, setting.plan, start_, place_),
       modes_(setting, modes),
       seed_(setting.options.seed) {}
@@ -80,8 +93,16 @@ void PocketSampler::ask(std::int64_t frame, int, int attempt, std::span<const Ve
     const double scale = double(attempts_at_half) / double(attempts_at_half + attempt);
     side_chains_.redraw(draws, scale * draws.uniform(), request.from);
     turned = turns_.draw(draws, scale);
+    if (turned.tree == nullptr) redraw_loops(frame, attempt, request.from);
   }
   turn(turned, moves, request);
+}
+
+void PocketSampler::redraw_loops(std::int64_t frame, int attempt, std::vector<Vec3>& x) const {
+  if (attempt >= attempts_at_loops) return;
+  RandomSequence draws({seed_, Domain::loop, static_cast<std::uint64_t>(attempt),
+                        static_cast<std::uint64_t>(frame), 0});
+  loops_.redraw(draws, most_loops, x);
 }
 
 /// The way from where side chains were redrawn.
