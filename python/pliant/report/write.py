@@ -48,7 +48,7 @@ def finish_report(
     analysis: Analysis, folder: Path, drawing: Drawing[Analysis], more: Additions
 ) -> dict[str, Any]:
     """The same where the figures of the analysis are being drawn."""
-    report, shown = report_of(analysis, more), scene(analysis)
+    report, shown = report_of(analysis, more), scene(analysis, overlay=more.overlay)
     saved = save_beside(report, folder, drawing)
     page = folder / "report.html"
     write_text(page, _page(report, saved, more, shown, drawing.dpi).text(), overwrite=True)

@@ -30,10 +30,10 @@ pytestmark = pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 
 
 def profiles_of(path, frames):
-    molecule = Molecule(str(path), FRAMES, 0, PathOptions())
+    molecule = Molecule(str(path), 0, PathOptions())
     molecule.frames = np.asarray(molecule.model.positions)[None]
     if frames:
-        molecule.sampled()
+        molecule.sampled(FRAMES)
     ones = np.ones(len(Q))
     return Profiles(molecule.model.structure, molecule.frames, Curve(Q, ones, ones))
 

@@ -60,7 +60,15 @@ def test_one_folder_has_a_page_an_ensemble_and_representatives(studied):
 
 def test_the_bar_has_room_for_all_stages():
     measured = pytest.importorskip("pliant.report.sections.table").STAGES
-    others = ("sampling", "reading", "path", "representatives", "MD starts", "figures and page")
+    others = (
+        "sampling",
+        "reading",
+        "fit",
+        "path",
+        "representatives",
+        "MD starts",
+        "figures and page",
+    )
     assert len(measured) + len(others) == STAGES
 
 

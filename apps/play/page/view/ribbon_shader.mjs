@@ -26,7 +26,7 @@ vec3 smoothed(vec3 a, vec3 b, vec3 c, int isStrand) { return isStrand == 0 ? b :
 vec3 colourOf(int joint, int walker) {
   vec3 colour = texelFetch(look, texel(joint), 0).rgb;
   colour = mix(colour, waveColour, .85 * texelFetch(marks, texel(joint), 0).g);
-  if (walker > 0) colour = mix(colour, vec3(.5), .35);
+  colour = ofWalker(walker, colour);
   return walker == 0 && joint == int(lit.x) ? hoverColour : colour;
 }
 // Without thickness; a tube faces the eye.

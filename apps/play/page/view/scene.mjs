@@ -51,6 +51,7 @@ export class View {
     this.style = 'balls';
     this.showAllBars = false;
     this.showContacts = true;
+    this.contactShare = 0.5;  // of the thickness of bonds
     this.quality = new Quality(this.renderer.gl, this.isSmooth ? 0 : 3, (level) => this.setLevel(level));
     this.stale = true;
   }
@@ -84,9 +85,9 @@ export class View {
   }
 
   /** The same joints, held by other bars and contacts: the camera stays where it is. */
-  reopen(model, positions) {
+  reopen(model, positions, walkers = 1) {
     this.model = model;
-    this.allocate(1);
+    this.allocate(walkers);
     this.textures.setPositions(positions);
     this.setStyle(this.style);
   }
@@ -122,7 +123,7 @@ export class View {
     uniforms.ballScale.value = style.ball || style.stick / 1.7;
     uniforms.stickRadius.value = style.stick;
     uniforms.traceRadius.value = style.trace;
-    uniforms.kindRadius.value = [1, this.showAllBars ? 0.35 : 0, this.showContacts ? 0.5 : 0, 0];
+    uniforms.kindRadius.value = [1, this.showAllBars ? 0.35 : 0, this.showContacts ? this.contactShare : 0, 0];
     this.stale = true;
   }
 

@@ -16,6 +16,8 @@ uniform int width, joints;
 uniform float ballScale, unit;      // unit: length of a usual bar / 1.5 Angstrom
 uniform isampler2D members;         // numbers of those that are drawn, where not all are
 uniform int memberCount;            // 0: all
+uniform vec4 others;                // colour of walkers after the first, and how much of it they have
+vec3 ofWalker(int walker, vec3 colour) { return walker > 0 ? mix(colour, others.rgb, others.a) : colour; }
 ivec2 texel(int i) { return ivec2(i % width, i / width); }
 vec3 place(int walker, int joint) {
   return (viewMatrix * vec4(texelFetch(positions, texel(walker * joints + joint), 0).xyz, 1.)).xyz;
@@ -78,7 +80,7 @@ void main() {
   vec2 mark = texelFetch(marks, texel(joint), 0).rg;
   colour = mix(colour, waveColour, .85 * mark.g);
   if (mark.r > .5) { ring = 1; radius = max(radius, .34 * unit) * 1.12; }
-  if (walker > 0) colour = mix(colour, vec3(.5), .35);
+  colour = ofWalker(walker, colour);
   if (walker == 0 && joint == int(lit.x)) { colour = hoverColour; radius = max(radius, .3 * unit) * 1.15; }
   if (joint == int(lit.y)) { colour = nearColour; radius = max(radius, .3 * unit) * 1.2; }
   if (joint == int(lit.z)) { colour = farColour; radius = max(radius, .3 * unit) * 1.2; }
@@ -167,7 +169,9 @@ void main() {
     colourFrom = colourTo = tautness(texelFetch(limits, texel(bar - firstContact), 0).xyz, distance(from, to));
     radius *= 1.6;
   }
-  if (walker > 0) { colourFrom = mix(colourFrom, vec3(.5), .35); colourTo = mix(colourTo, vec3(.5), .35); }
+  colourFrom = ofWalker(walker, colourFrom);
+  colourTo = ofWalker(walker, colourTo);
+  if (b.z == 2 && walker > 0 && others.a == 1.) radius = 0.;
   vec3 broken = s > 0. ? longColour : shortColour;
   colourFrom = mix(colourFrom, broken, t);
   colourTo = mix(colourTo, broken, t);
@@ -195,7 +199,8 @@ void main() {
   radius = traceRadius;
   dashes = 0.;
   bar = -1;
-  vec3 first = texelFetch(look, texel(k.y), 0).rgb, last = texelFetch(look, texel(k.z), 0).rgb;
+  vec3 first = ofWalker(walker, texelFetch(look, texel(k.y), 0).rgb);
+  vec3 last = ofWalker(walker, texelFetch(look, texel(k.z), 0).rgb);
   colourFrom = mix(first, last, float(part) / 5.);
   colourTo = mix(first, last, float(part + 1) / 5.);
   box();

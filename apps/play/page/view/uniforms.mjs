@@ -14,7 +14,7 @@ export function uniformsOf() {
     positions: null, look: null, marks: null, bars: null, controls: null, strain: null, limits: null, firstContact: 0, byTautness: 0,
     width: WIDTH, joints: 1, barCount: 1, pieceCount: 1, ballScale: 0.24, unit: 1,
     stickRadius: 0.13, traceRadius: 0.5, litBar: -1, picking: 0, rich: 1, unlit: 0,
-    kindRadius: [1, 0, 0.45, 0], lit: [-1, -1, -1], background: [1, 1, 1], fog: [10, 100],
+    kindRadius: [1, 0, 0.45, 0], others: [0.5, 0.5, 0.5, 0.35], lit: [-1, -1, -1], background: [1, 1, 1], fog: [10, 100],
     viewMatrix: null, projectionMatrix: null,
   };
   for (const [name, text] of Object.entries(COLOURS)) values[name] = rgb(text);

@@ -174,9 +174,9 @@ def design(
     """
     if method not in RANGES:
         raise OptionError(f"method = {method!r}: must be one of {', '.join(RANGES)}")
-    molecule = Molecule(start, frames, seed, PathOptions(**options))
+    molecule = Molecule(start, seed, PathOptions(**options))
     sites = labelled(molecule, method, exclude)
-    molecule.sampled()
+    molecule.sampled(frames)
     found = best_pairs(molecule.ensemble.frames, sites, distances, RANGES[method], seed)
     if not found:
         raise InputError(

@@ -5,22 +5,16 @@ from __future__ import annotations
 
 import os
 import time
-import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
-from pliant._core import DensityMap, FileError, OptionError, PathOptions, PliantWarning
+from pliant._core import DensityMap, FileError, OptionError, PathOptions
 from pliant.base.checked import SEED, checked, whole
-from pliant.jobs.fit import in_map
-from pliant.jobs.fit import nodes as at_nodes
-from pliant.jobs.fit.data import Datum, in_nanometres, read_distances
-from pliant.jobs.fit.fitted import FittedStructure, agreement_of
-from pliant.jobs.fit.molecule import FRAMES, Molecule
+from pliant.jobs.fit.fitted import FittedStructure
+from pliant.jobs.fit.molecule import FRAMES
 from pliant.jobs.fit.saxs.curve import read_curve
 from pliant.jobs.fit.saxs.explained import FittedCurve, fit_curve
-from pliant.trajectory.superposition import superpose_onto
+from pliant.jobs.fit.task import FitTask
 
 __all__ = ["FittedCurve", "FittedStructure", "fit"]
 
@@ -102,23 +96,17 @@ def fit(
         raise FileError(f"{os.fspath(output)}: exists; overwrite=True replaces it")
     if isinstance(frames, int) and frames < LEAST_FRAMES:
         raise OptionError(f"frames = {frames}: must be {LEAST_FRAMES} or more, or a file")
-    if map is None and (resolution is not None or half is not None or place):
-        raise OptionError("resolution, half, place: of a map, and none is given")
     _check_kind(distances is not None or map is not None, saxs, ensemble or background, keep)
-    density = None if map is None else in_map.read_map(map, resolution, half)
-    molecule = Molecule(start, frames, seed, PathOptions(**options))
+    task = FitTask.of(start, distances, map, resolution, half, place, seed, PathOptions(**options))
+    molecule = task.molecule
+    curve = None if saxs is None else read_curve(saxs)
+    molecule.sampled(frames)
     found: FittedStructure | FittedCurve
-    if saxs is not None:
-        curve = read_curve(saxs)
-        molecule.sampled()
+    if curve is None:
+        found = task.fitted(keep)
+    else:
         of = molecule.model, molecule.frames, molecule.atoms
         found = fit_curve(curve, *of, ensemble=ensemble, background=background, seed=seed)
-    else:
-        data = [] if distances is None else _distances(molecule, distances)
-        molecule.sampled()
-        if density is not None and place:
-            molecule.place_into(density)
-        found = _fitted(molecule, data, density, keep)
     found.seconds = time.perf_counter() - begun
     if output is not None:
         found.save(output, overwrite=overwrite)
@@ -132,52 +120,3 @@ def _check_kind(is_fit: bool, saxs: Any, is_of_saxs: bool, keep: int) -> None:
         raise OptionError("ensemble, background: are for saxs")
     if keep > 1 and saxs is not None:
         raise OptionError(f"keep = {keep}: is not for saxs")
-
-
-def _distances(molecule: Molecule, given: Any) -> list[Datum]:
-    data = read_distances(given, molecule.sites)
-    if in_nanometres(data, np.asarray(molecule.model.positions)[molecule.atoms]):
-        warnings.warn("distances look as if they were in nm: Angstrom are asked for", PliantWarning,
-                      stacklevel=4)  # fmt: skip
-    return data
-
-
-def _fitted(
-    molecule: Molecule, data: list[Datum], density: in_map.MapData | None, keep: int
-) -> FittedStructure:
-    of, structure = molecule.ensemble, molecule.structure
-    known = at_nodes.Known(data)
-    if density is not None:
-        known = at_nodes.Known(data, density.at_nodes(structure, of.frames))
-    found = at_nodes.consistent(of, known)
-    fits = found.fits
-    wholes = [molecule.brought(fits, k) for k in range(min(keep, len(fits.frames)))]
-    best, start = wholes[0].positions[molecule.atoms], of.start
-    used = [data[k] for k in found.kept]
-    missed = [found.left_out[k].off for k in found.kept if k in found.left_out]
-    return FittedStructure(
-        model=molecule.model,
-        kept=wholes,
-        data=agreement_of(data, start, best, found.contradicting, found.left_out),
-        density=None
-        if density is None
-        else in_map.agreement_with(
-            density,
-            in_map.at(structure, molecule.placed),
-            in_map.at(structure, wholes[0].positions),
-            molecule.atoms,
-            molecule.sites.labels,
-            in_map.freedom_of(density, of, known.only(found.kept), structure, fits.frames[0]),
-        ),
-        labels=molecule.sites.labels,
-        spread=fits.spread if density is None else density.spread(fits.spread),
-        rmsd_from_start=_rms(superpose_onto(best[None], slice(None), start)[0] - start),
-        agreeing=len(fits.agreeing),
-        fits=len(fits.frames),
-        off_at_start=_rms(at_nodes.violations(start, used)[:, None]),
-        off_left_out=_rms(np.array(missed)[:, None]) if missed else None,
-    )
-
-
-def _rms(moves: np.ndarray) -> float:
-    return float(np.sqrt((moves**2).sum(axis=1).mean())) if len(moves) else 0.0

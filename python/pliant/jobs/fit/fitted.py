@@ -85,6 +85,12 @@ class FittedStructure(HasFrames, Displayed):
             abs(one.violation) <= HOLDS for one in self.data if not one.contradicts
         )
 
+    @property
+    def is_predicted(self) -> bool:
+        """Whether distances that START misses are predicted better than by it, each by the rest."""
+        left, start = self.off_left_out, self.off_at_start
+        return left is None or start <= HOLDS or left < start
+
     def verdict(self) -> str:
         """In words: whether data and structure agree, and what that is worth."""
         parts = [] if self.density is None else self.density.verdict()
@@ -99,7 +105,7 @@ class FittedStructure(HasFrames, Displayed):
             return " ".join(parts)
         if self.off_at_start <= HOLDS:
             parts.append("START agrees as it is.")
-        elif self.off_left_out is not None and self.off_left_out >= self.off_at_start:
+        elif not self.is_predicted:
             parts.append("The data do not predict each other: do not rely on this fit.")
         return " ".join(parts)
 

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from pliant._core import DensityData, DensityMap, OptionError, PliantWarning, Structure
+from pliant._core import DensityData, DensityMap, InputError, OptionError, PliantWarning, Structure
 from pliant.base.display import Facts
 from pliant.jobs.fit import nodes as at_nodes
 from pliant.trajectory.superposition import rotations
@@ -43,6 +43,12 @@ class MapData:
             warnings.warn(text, PliantWarning, stacklevel=5)
         return DensityData(self.density, self.resolution, structure, frames)
 
+    def refuse_outside(self, nodes: np.ndarray) -> None:
+        """Raises InputError where none of them (M, 3) is in the map."""
+        if self.density.at(nodes)[2] == len(nodes):
+            text = "the molecule lies outside of it; put it there first (place)"
+            raise InputError(f"density map: {text}")
+
     def spread(self, between: np.ndarray) -> np.ndarray:
         """By residue, of the spread between fits: not below what the map itself leaves open."""
         return np.asarray(np.sqrt(between**2 + (FLOOR * self.resolution) ** 2))
@@ -70,9 +76,10 @@ class MapData:
 
 
 def read_map(density: Given, resolution: float | None, half: Given | None) -> MapData:
-    """Raises OptionError without a resolution or a map, InputError for a file that is no map."""
+    """Raises OptionError without a resolution in range, InputError for a file that is no map."""
     if resolution is None:
         raise OptionError("resolution: a map needs it, in Angstrom; a header does not say it")
+    DensityMap.from_structure(Structure(np.zeros((1, 3)), elements=[6]), resolution)  # or refused
     found = MapData(_read(density), resolution, None if half is None else _read(half))
     spacing = float(found.density.spacing.max())
     if spacing > COARSEST * resolution:
@@ -108,6 +115,7 @@ class MapAgreement:
     judged: float | None  #: of the structure with the other half
     judged_at_start: float | None
     by_residue: np.ndarray = field(repr=False)  #: (M,)
+    by_residue_at_start: np.ndarray = field(repr=False)  #: (M,)
     unsupported: list[str]  #: residues that no density supports
     unexplained: float  #: share of the density that no atom is near to
     most_unexplained: tuple[float, float, float] | None  #: where, Angstrom
@@ -155,12 +163,15 @@ class MapAgreement:
 
     def as_json(self, labels: list[str]) -> dict[str, Any]:
         """All of it."""
-        rest = {name: value for name, value in vars(self).items() if name != "by_residue"}
+        rest = {name: value for name, value in vars(self).items() if "by_residue" not in name}
         return {
             **rest,
             "agrees": self.agrees,
             "freedom": [vars(one) for one in self.freedom],
             "by_residue": dict(zip(labels, self.by_residue.tolist(), strict=True)),
+            "by_residue_at_start": dict(
+                zip(labels, self.by_residue_at_start.tolist(), strict=True)
+            ),
         }
 
 
@@ -181,7 +192,7 @@ def agreement_with(
 ) -> MapAgreement:
     """Of structures that are in the map; `atoms` are those of residues with `labels`."""
     density, resolution, half = data.density, data.resolution, data.half
-    local = density.local_correlation(found, resolution)
+    owners = np.asarray(found.residue_of)[atoms]
     share, centers, _ = density.unexplained(found)
     expected = DensityMap.from_structure(found, resolution, like=density)
     places = np.asarray(found.positions)[atoms]
@@ -193,7 +204,8 @@ def agreement_with(
         found=density.correlation(found, resolution),
         judged=None if half is None else half.correlation(found, resolution),
         judged_at_start=None if half is None else half.correlation(start, resolution),
-        by_residue=local[np.asarray(found.residue_of)[atoms]],
+        by_residue=density.local_correlation(found, resolution)[owners],
+        by_residue_at_start=density.local_correlation(start, resolution)[owners],
         unsupported=[labels[k] for k in bare],
         unexplained=share,
         most_unexplained=None if len(centers) == 0 else tuple(centers[0].tolist()),

@@ -32,9 +32,7 @@ LEAST_NODES = 10
 class Molecule:
     """The molecule of a fit: its model, its nodes, and shapes in its reach."""
 
-    def __init__(
-        self, start: Any, frames: int | str | os.PathLike[str], seed: int, options: PathOptions
-    ) -> None:
+    def __init__(self, start: Any, seed: int, options: PathOptions) -> None:
         self.options = options
         self.start: Structure = options.start_of(start)
         self.model: MolecularModel = PathEnds.model_of(self.start, options)
@@ -45,17 +43,16 @@ class Molecule:
                 f"residues or more, found {len(self.atoms)}"
             )
         self.sites = Sites(self.model.structure, self.atoms)
-        self._frames, self._seed = frames, seed
+        self._seed = seed
         self._rotation, self._shift = np.eye(3), np.zeros(3)  # into a map
 
-    def sampled(self) -> None:
+    def sampled(self, frames: int | str | os.PathLike[str]) -> None:
         """Makes the ensemble, or reads it; the start is its first frame."""
-        given = self._frames
-        made = self._made(given) if isinstance(given, int) else self._read(given)
+        made = self._made(frames) if isinstance(frames, int) else self._read(frames)
         self.frames = np.concatenate([np.asarray(self.model.positions)[None], made])
 
-    def _made(self, count: int) -> np.ndarray:
-        return np.asarray(sample(self.model, count, seed=self._seed, sampler="reach").positions)
+    def _made(self, frames: int) -> np.ndarray:
+        return np.asarray(sample(self.model, frames, seed=self._seed, sampler="reach").positions)
 
     def _read(self, path: str | os.PathLike[str]) -> np.ndarray:
         given = Trajectory(path)

@@ -153,10 +153,10 @@ class _Case:
         start = amino_part(read_quietly(direction.start))
         self.begun = time.perf_counter()
         self.direction = direction
-        self.molecule = Molecule(start, FRAMES, seed, PathOptions())
+        self.molecule = Molecule(start, seed, PathOptions())
         if len(self.molecule.atoms) > residues:
             raise InputError(f"more than {residues} residues")
-        self.molecule.sampled()
+        self.molecule.sampled(FRAMES)
         self.sampled = time.perf_counter() - self.begun
         self.of = self.molecule.ensemble
         judge = Judge(direction, self.molecule.model.structure)

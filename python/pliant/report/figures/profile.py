@@ -15,8 +15,6 @@ from pliant.measure.domains import LOOSE
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from pliant.measure.stages.parts import Units
-
 #: up to this many units are drawn one by one, each with its name
 NAMED_BARS = 40
 #: of a line; more cannot be seen apart at the usual width and resolution
@@ -25,7 +23,7 @@ MOST_CORNERS = 4000
 
 def draw_profile(
     axes: Axes,
-    units: Units,
+    chains: np.ndarray,
     values: np.ndarray,
     error: np.ndarray | None = None,
     halves: Sequence[np.ndarray] | np.ndarray = (),
@@ -33,11 +31,11 @@ def draw_profile(
 ) -> None:
     """A value of each unit, twice its error as a band, and that of both halves; a line a chain.
 
-    names: of values, halves and error in the legend.
+    chains: (n,) of the units; names: of values, halves and error in the legend.
     """
     place = np.arange(len(values))
     looks = ((style.BLUE, 1.3), (style.ORANGE, 0.8), (style.GREY, 0.8))
-    for part in chain_parts(units.chains):
+    for part in chain_parts(chains):
         labels = itertools.chain(names, itertools.repeat(None))
         for line, (colour, width) in zip([values, *halves], looks, strict=False):
             x, y = outline(place[part], line[part])

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pliant.report.page.overlay import Overlay
 from pliant.report.section import Section
 
 if TYPE_CHECKING:
@@ -35,6 +36,7 @@ class Additions:
     answers: Mapping[str, Answer] = field(default_factory=dict)  #: at the head: what -> the answer
     sections: Sequence[Section[Analysis]] = ()  #: on more than an analysis asks
     files: Sequence[Path] = ()
+    overlay: Overlay | None = None  #: in the 3-D view
     models: Sequence[Path] = ()  #: those of the files that show.pml and show.cxc load: PDB
 
 

@@ -51,13 +51,19 @@ def table(headers: Sequence[str], rows: Iterable[Sequence[str]], caption: str = 
     return f'<div class="table card"><table>{title}{body}</table></div>'
 
 
+class Marked(str):
+    """A cell of a table that is in red."""
+
+
 def _row(tag: str, texts: Iterable[str]) -> str:
-    first, *others = (escape(text) for text in texts)
+    row = [*texts]
+    marked = ' class="off"' if any(isinstance(text, Marked) for text in row) else ""
+    first, *others = map(escape, row)
     numbers = "".join(
         f'<{tag} class="{"n" if tag == "td" and len(text) <= SHORT else "t"}">{text}</{tag}>'
         for text in others
     )
-    return f"<tr><{tag}>{first}</{tag}>{numbers}</tr>"
+    return f"<tr{marked}><{tag}>{first}</{tag}>{numbers}</tr>"
 
 
 def sentence(text: str) -> str:

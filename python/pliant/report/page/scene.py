@@ -25,6 +25,7 @@ from pliant.report.page.drawn import (
     drawn_molecule,
     drawn_positions,
 )
+from pliant.report.page.overlay import Overlay
 from pliant.report.sections.bars import Residuals
 from pliant.report.sections.domains import RigidDomains
 from pliant.report.sections.flexible import UnitFlexibility
@@ -83,7 +84,10 @@ def _drawn_atoms(atoms: AtomGroup, max_atoms: int) -> DrawnAtoms:
 
 
 def scene(
-    analysis: Analysis, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES
+    analysis: Analysis,
+    max_atoms: int = MAX_ATOMS,
+    max_bytes: int = MAX_BYTES,
+    overlay: Overlay | None = None,
 ) -> dict[str, Any]:
     """The scene as JSON-ready values; arrays of numbers are base64 of little-endian integers."""
     shown = thinned(analysis, max_atoms, max_bytes)
@@ -107,6 +111,7 @@ def scene(
         "series": _series(analysis, shown.frames),
         "notes": shown.notes,
         "trace_only": shown.trace_only,
+        **({} if overlay is None else {"overlay": overlay.drawn(shown.atoms)}),
     }
 
 

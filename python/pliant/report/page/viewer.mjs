@@ -7,6 +7,7 @@ import {STYLES} from './view/styles.mjs';
 import {Turner} from './view/turner.mjs';
 import {rgb} from './view/uniforms.mjs';
 
+const START = '#dde2e6';  // of the structure that another lies over
 const RATE = 12;  // frames a second at 1x
 const MOST_BEHIND = 8;  // frames that a slow browser skips at most
 const SHAPES = ['balls', 'sticks', 'spheres', 'lines'];
@@ -56,19 +57,43 @@ class Viewer {
     this.view.uniforms.longColour.value = rgb(BROKEN);
     this.view.uniforms.shortColour.value = rgb(STRAINED);
     this.view.setBackground(colour('--view'));
+    this.view.uniforms.others.value = [...rgb(START), 1];
+    this.view.contactShare = 2;
     this.resize();
     this.view.open(this.model, this.positionsOf(0));
     this.timeline = new Timeline($('chart'), scene, (frame) => { this.play(false); this.show(frame); });
+  }
+
+  /** Nothing lies over the start. */
+  clear() {
+    if (this.isLaid) document.querySelector('#shown [data-key=frames]').click();
   }
 
   get count() {
     return this.scene.frames.length;
   }
 
-  /** Angstrom. */
+  /** Angstrom; of both structures where one lies over the other. */
   positionsOf(frame) {
+    const {overlay, step} = this.scene;
+    if (this.isLaid) return Float32Array.from(new Int16Array(bytes(overlay.positions).buffer), (x) => x * overlay.step);
     const size = 3 * this.model.joints;
-    return Float32Array.from(this.positions.subarray(frame * size, (frame + 1) * size), (x) => x * this.scene.step);
+    return Float32Array.from(this.positions.subarray(frame * size, (frame + 1) * size), (x) => x * step);
+  }
+
+  /** Another structure over the start, with its lines; or the frames again. */
+  lay(isOn) {
+    const {model, view, scene: {overlay}} = this;
+    this.play(false);
+    this.isLaid = isOn;
+    const lines = isOn && {
+      contacts: Int32Array.from(overlay.lines), contactKinds: overlay.kinds, contactKindColours: overlay.colours,
+    };
+    view.reopen({...model, ...lines}, this.positionsOf(this.frame), isOn ? 2 : 1);
+    view.members.room(view.textures);
+    view.members.firstContact = isOn ? view.textures.firstContact : Infinity;
+    this.look();
+    this.home();
   }
 
   /** By code: below the tolerance negative, which is drawn blue, beyond it positive and orange. */
@@ -104,6 +129,7 @@ class Viewer {
   }
 
   show(frame) {
+    this.clear();
     this.frame = Math.max(0, Math.min(this.count - 1, frame));
     this.view.setPositions(this.positionsOf(this.frame));
     if (this.painting.key === 'residual') this.view.setStrain(this.strainOf(this.frame));
@@ -146,6 +172,7 @@ class Viewer {
 
   /** Small pictures beside answers: the whole molecule as it is at first, by their colours. */
   copy() {
+    this.clear();
     const {painting, view} = this;
     for (const small of document.querySelectorAll('canvas[data-colour]')) {
       this.painting = this.paintings.find(({key}) => key === small.dataset.colour);
@@ -187,6 +214,8 @@ class Viewer {
       this.legend();
       this.look();
     });
+    if (scene.overlay)
+      choices('shown', [['frames', 'frames'], ['overlay', scene.overlay.label]], 'frames', (key) => this.lay(key === 'overlay'));
     const series = Object.entries(scene.series).map(([key, {label}]) => [key, label]);
     choices('series', series, series[0]?.[0], (key) => {
       this.series = key;

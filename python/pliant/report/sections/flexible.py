@@ -241,7 +241,7 @@ def _draw(analysis: Analysis) -> Figure:
             axes.errorbar(np.arange(len(found.rmsf)), found.rmsf, 2 * found.error, **look)
     else:
         halves = () if found.converged or not has_error else found.halves
-        draw_profile(axes, units, found.rmsf, found.error if has_error else None, halves)
+        draw_profile(axes, units.chains, found.rmsf, found.error if has_error else None, halves)
         domain_strip(axes, domains_of_units(analysis))
         style.chain_axis(axes, units.numbers, units.chains, units.what)
     _name(axes, analysis)

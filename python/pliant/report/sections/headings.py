@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The headings of the page of an analysis, in the order in which they are read."""
 
+DATA = "Does it agree with the data?"
 FLEXIBLE = "What is flexible"
 TOGETHER = "What moves together"
 COLLECTIVE = "Collective motions"
@@ -15,6 +16,6 @@ EXACT = "Exactness and effort"
 #: those whose figures and tables are as wide as the page
 WIDE = (OTHER, POCKETS)
 HEADINGS = (
-    *(FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, POCKETS, ON_THE_WAY, CHEMISTRY, STARTS),
-    *(SHAPES, EXACT),
+    *(DATA, FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, POCKETS, ON_THE_WAY, CHEMISTRY),
+    *(STARTS, SHAPES, EXACT),
 )

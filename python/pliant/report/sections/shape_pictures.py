@@ -13,7 +13,8 @@ from matplotlib.figure import Figure
 from matplotlib.path import Path
 
 from pliant.base import style
-from pliant.measure.shapes.other_shapes import OtherShapes, Shape
+from pliant.measure.domains.rigid_turns import RigidTurns
+from pliant.measure.shapes.other_shapes import OtherShapes
 from pliant.measure.stages.analysis import Analysis
 from pliant.measure.stages.parts import ReferenceStructure
 
@@ -40,14 +41,14 @@ def shape_pictures(analysis: Analysis, most: int | None = None) -> Figure:
     columns = min(COLUMNS, len(shapes))
     width, rows = style.WIDE[0] * max(columns, 2) / COLUMNS, -(-len(shapes) // columns)
     start = analysis[ReferenceStructure].positions[part.sites]
-    pairs = [_seen(start, shape) for shape in shapes]
+    pairs = [seen(start, shape.turns) for shape in shapes]
     size = 2 * np.max([np.abs(pair[..., :2]).max(axis=(0, 1)) for pair in pairs], axis=0) + BESIDE
     height = width * rows * size[1] / (columns * size[0])
     figure, axes = style.new_figure((width, height))
     axes.set_axis_off()
     for k, (shape, pair) in enumerate(zip(shapes, pairs, strict=True)):
         place = size * (k % columns, -(k // columns))
-        _draw(axes, pair + np.append(place, 0.0), shape)
+        draw_shape(axes, pair + np.append(place, 0.0), shape.turns)
         far = f"{shape.rmsd:.1f} Å{' (far)' if part.is_beyond(shape) else ''}"
         name = f"{k + 1}: {far}, frame {shape.frame}"
         at = place + size * (-0.5, 0.5)
@@ -57,18 +58,18 @@ def shape_pictures(analysis: Analysis, most: int | None = None) -> Figure:
     return figure
 
 
-def _seen(start: np.ndarray, shape: Shape) -> np.ndarray:
+def seen(start: np.ndarray, turns: RigidTurns) -> np.ndarray:
     """(2, n, 3) the start and the shape about their middle, as they are looked at."""
-    turns = shape.turns
     view = _view(start, turns.axes[np.argmax(turns.angles)] if turns.angles.any() else None)
     pair = np.array([start, turns.end]) @ view
     return np.asarray(pair - (pair.min(axis=(0, 1)) + pair.max(axis=(0, 1))) / 2)
 
 
-def _draw(axes: Axes, pair: np.ndarray, shape: Shape) -> None:
+def draw_shape(axes: Axes, pair: np.ndarray, turns: RigidTurns) -> None:
+    """A pair as `seen` gives it: the start in grey, the shape in the colours of its pieces."""
     before, after = pair
     grey, *every = to_rgba_array([style.GREY, *style.DOMAIN_COLOURS])
-    shade = np.array(every)[shape.turns.piece]
+    shade = np.array(every)[turns.piece]
     parts = [_curve(before, np.tile(grey, (len(before), 1))), _curve(after, shade)]
     segments, depths, shades = (np.concatenate(values) for values in zip(*parts, strict=True))
     depths[len(parts[0][1]) :] += NEARER
@@ -80,7 +81,7 @@ def _draw(axes: Axes, pair: np.ndarray, shape: Shape) -> None:
     look: dict[str, Any] = {"linewidths": (2.8, 1.3), "facecolors": "none", "capstyle": "butt"}
     axes.add_collection(PathCollection(paths, edgecolors=colours, **look), autolim=False)
     axes.update_datalim(segments.reshape(-1, 2))
-    hinges = np.unique(shape.turns.hinges)
+    hinges = np.unique(turns.hinges)
     axes.scatter(after[hinges, 0], after[hinges, 1], s=9, color=style.INK, zorder=3)
     corner = pair.min(axis=(0, 1))[:2] - 2.0
     axes.plot(corner[0] + [0.0, SCALE], [corner[1]] * 2, color=style.INK, lw=1.2)

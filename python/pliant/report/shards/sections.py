@@ -66,7 +66,7 @@ def flexibility_figure(found: EnsembleFlexibility) -> Figure:
         f"odd-numbered {what}",
         f"2 standard errors, between {what}",
     )
-    draw_profile(axes, units, found.rmsf, found.error, found.halves, names)
+    draw_profile(axes, units.chains, found.rmsf, found.error, found.halves, names)
     if len(units.labels) <= NAMED_BARS:
         style.named_axis(axes, units.labels)
         axes.set_xlabel(units.what)

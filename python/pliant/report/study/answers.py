@@ -18,6 +18,7 @@ from pliant.report.sections.flexible import UnitFlexibility
 from pliant.report.sections.other_shapes import turns_of, turns_text
 from pliant.report.sections.shape_pictures import FIRST
 from pliant.report.sections.torsions import Torsions
+from pliant.report.study.agreement import agreement_answer
 
 if TYPE_CHECKING:
     from pliant.jobs.path.found import MolecularPath
@@ -31,8 +32,10 @@ def answers(study: Study) -> dict[str, Answer]:
     """Question in a word -> its answer: what a reader wants first, then what it is of."""
     analysis = study.report.analysis
     small = analysis[Units].what == "atom"
-    found = {
-        "verdict": Answer(study.report.verdict.sentence),
+    found = {"verdict": Answer(study.report.verdict.sentence)}
+    if study.fit is not None:
+        found["data"] = agreement_answer(study.fit)
+    found |= {
         "how far": _how_far(study),
         "flexible": _flexible(study),
         "together": _rotatable(analysis) if small else _together(analysis),
@@ -56,7 +59,7 @@ def _files(study: Study) -> str:
         len(shapes.shapes) if (shapes := study.report.analysis.get(OtherShapes)) else 0
     )
     shown = [f"{name}.pdb ({counted(n, 'model')})" for name, n in models.items() if n]
-    path = ["path.h5md"] if study.path is not None else []
+    path = [study.outputs[name].name for name in ("fitted", "path") if name in study.outputs]
     scripts = ["show.pml (PyMOL)", "show.cxc (ChimeraX)"]
     return f"in {study.folder}: " + ", ".join(
         ["ensemble.h5md", "ensemble.pdb", *shown, *path, *scripts]

@@ -18,17 +18,20 @@ from pliant.base import console
 from pliant.jobs.process import molecule_rows
 from pliant.trajectory.freed_memory import give_back_freed_memory
 
-COMMON = ("--output", "--frames", "--smiles", "--select", "--keep", "--no-check", "--demo")
+COMMON = (
+    *("--output", "--distances", "--map", "--resolution", "--frames", "--smiles", "--select"),
+)
 #: of 20 residues, where the build puts it (python/CMakeLists.txt)
 HELIX = Path(__file__).parents[2] / "static" / "examples" / "peptide_20.pdb"
 
 DESCRIPTION = """\
 Studies a molecule and answers, on one page: how far it moves, which parts are flexible, what moves
 together, what else it could look like, and what was left out. With END, another structure of the
-same molecule, a path to it is found as well. For a small molecule, conformers are studied.
+same molecule, a path to it is found as well; with measured distances or a density map, whether it
+agrees with them. For a small molecule, conformers are studied.
 
-It does what pliant sample, analyse, path and check do by default, one after the other. To choose
-options yourself, use those commands."""
+It does what pliant sample, analyse, path, fit and check do by default, one after the other. To
+choose options yourself, use those commands."""
 
 EPILOG = """\
 The folder has:
@@ -37,6 +40,7 @@ The folder has:
   representatives.pdb    20 frames that represent all, for docking or to look at
   shapes.pdb             one frame for each other shape of a protein
   path.h5md              the path to END
+  fitted.pdb             the structure that agrees best with the data
   show.pml, show.cxc     load all of these in PyMOL and ChimeraX
   and tables (CSV) and figures (PNG)
 
@@ -49,6 +53,7 @@ examples:
   pliant study --demo
   pliant study protein.pdb
   pliant study open.pdb closed.pdb -o opening
+  pliant study open.pdb --distances measured.csv --map map.mrc --resolution 8 --place
   pliant study drug.sdf --frames 200
   pliant study --smiles "CC(=O)Oc1ccccc1C(=O)O" -o aspirin
 """
@@ -64,6 +69,10 @@ def make_parser() -> console.Parser:
     add("-o", "--output", metavar="DIR", help=text)
     text = "instead of FILE: a small molecule, which RDKit makes three-dimensional"
     add("--smiles", metavar="TEXT", help=text)
+    add("--distances", metavar="FILE", help="measured distances (CSV), as pliant fit takes them")
+    add("--map", metavar="FILE", help="density map (MRC, CCP4) to fit FILE to")
+    add("--resolution", metavar="A", type=float, help="of the map, Angstrom")
+    add("--place", action="store_true", help="put FILE into the map first")
     add("--demo", action="store_true", help="instead of FILE: a helix that comes with Pliant")
     text = "frames of the ensemble (default: as pliant sample)"
     add("--frames", metavar="N", type=console.whole_number(4), help=text)
@@ -98,6 +107,10 @@ def _study(arguments: argparse.Namespace) -> int:
             file,
             arguments.end,
             arguments.output,
+            distances=arguments.distances,
+            map=arguments.map,
+            resolution=arguments.resolution,
+            place=arguments.place,
             smiles=arguments.smiles,
             frames=arguments.frames,
             seed=arguments.seed,

@@ -17,6 +17,7 @@ from pliant.report.section import Picture, Section
 from pliant.report.sections.headings import ON_THE_WAY, STARTS
 from pliant.report.sections.other_shapes import OTHER_SHAPES
 from pliant.report.sections.shape_pictures import first_shapes
+from pliant.report.study.agreement import agreement_section
 from pliant.report.study.studied import LABELS
 
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 
 #: answers that the page gives elsewhere
 NOT_AT_THE_HEAD = ("verdict", "page", "files")
+MODELS = ("representatives", "fitted")  #: files that show.pml and show.cxc load
 
 
 #: under no heading: its figure stands at the head
@@ -34,9 +36,16 @@ FIRST_SHAPES: Section[Analysis] = Section(
 )
 
 
+def early_sections(study: Study) -> Iterator[Section[Analysis]]:
+    """Those with figures, which are drawn meanwhile."""
+    yield FIRST_SHAPES
+    if study.fit is not None:
+        yield agreement_section(study.fit)
+
+
 def sections(study: Study) -> Iterator[Section[Analysis]]:
     """Of a study that has all but its answers."""
-    yield FIRST_SHAPES
+    yield from early_sections(study)
     yield Section(name="input", verdict=lambda _: _input(study))
     path, check = study.path, study.check
     if path is not None:
@@ -64,8 +73,9 @@ def additions(study: Study) -> Additions:
     said = study.answered.items()
     answers = {LABELS.get(k, k): text for k, text in said if k not in NOT_AT_THE_HEAD}
     files = [study.sampled.ensemble, *study.outputs.values()]
-    models = [path for name, path in study.outputs.items() if name == "representatives"]
-    return Additions("pliant study", answers, [*sections(study)], files, models)
+    models = [study.outputs[name] for name in MODELS if name in study.outputs]
+    overlay = None if study.fit is None else study.fit.overlay()
+    return Additions("pliant study", answers, [*sections(study)], files, overlay, models)
 
 
 def _input(study: Study) -> Verdict | None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -12,6 +13,9 @@ from typing import Any
 
 from pliant._core import Error, PathOptions
 from pliant.base.extras import MissingPackageError, late, need
+from pliant.base.said import noted
+from pliant.jobs.fit.molecule import FRAMES
+from pliant.jobs.fit.task import FitTask
 from pliant.jobs.path import walk
 from pliant.measure.shapes.representatives import Representatives, medoids
 from pliant.measure.stages.analysis import AnalysisOptions
@@ -21,7 +25,8 @@ from pliant.report.representatives import REMARK
 from pliant.report.save import drawing_of
 from pliant.report.sections.table import analyse_trajectory
 from pliant.report.study.answers import answers
-from pliant.report.study.sections import FIRST_SHAPES, additions, sections
+from pliant.report.study.data_fit import DataFit
+from pliant.report.study.sections import additions, early_sections, sections
 from pliant.report.study.studied import Sampled, Study
 from pliant.report.suite import DPI, AnalysisReport
 from pliant.report.write import finish_report, report_of
@@ -42,6 +47,7 @@ class StudyTask:
     folder: Path
     seed: int
     asked: dict[str, Any]  #: of the molecule
+    fit: FitTask | None  #: to measured data
     check: bool
     quiet: bool
 
@@ -53,7 +59,8 @@ class StudyTask:
                 analyse_trajectory(AnalysisOptions(str(ensemble.ensemble)), on_stage)
             )
             found = Study(os.fspath(self.file), self.folder, ensemble, report)
-            begun = Additions(sections=[FIRST_SHAPES])
+            self._fit(found, on_stage)
+            begun = Additions(sections=[*early_sections(found)])
             with drawing_of(report_of(report.analysis, begun), self.folder, DPI) as drawing:
                 self._answer(found, on_stage)
                 on_stage("figures and page")
@@ -70,6 +77,22 @@ class StudyTask:
         found.report.more = Additions(sections=[*sections(found)])
         found.answered = answers(found)
         found.report.more = additions(found)
+
+    def _fit(self, found: Study, on_stage: Callable[[str], None]) -> None:
+        """To data, from the frames that are there: as `pliant fit` makes them, if they are."""
+        if self.fit is None:
+            return
+        on_stage("fit to the data")
+        facts, begun = found.sampled.facts, time.perf_counter()
+        are_usual = facts["sampler"] == "reach" and facts["frames"] >= FRAMES
+        with noted() as said:
+            self.fit.molecule.sampled(found.sampled.ensemble if are_usual else FRAMES)
+            found.fit = DataFit.of(self.fit)
+        facts["warnings"] += said
+        found.fit.found.seconds = time.perf_counter() - begun
+        output = self.folder / "fitted.pdb"
+        found.fit.found.save(output, overwrite=True)
+        found.outputs["fitted"] = output
 
     def _path(self, found: Study, on_stage: Callable[[str], None]) -> None:
         if self.end is None:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from pliant.measure.shapes.representatives import Representatives
     from pliant.report.check.check_report import CheckReport
     from pliant.report.page.additions import Answer
+    from pliant.report.study.data_fit import DataFit
     from pliant.report.suite import AnalysisReport
 
 
@@ -37,6 +38,7 @@ class Study(Displayed):
     sampled: Sampled  #: the ensemble
     report: AnalysisReport  #: its analysis
     representatives: Representatives | None = None  #: None where there are too few frames
+    fit: DataFit | None = None  #: to measured data, if there are any
     path: MolecularPath | None = None  #: to the other structure, if there is one
     end: str = ""  #: the other structure
     check: CheckReport | None = None  #: what OpenMM made of a few frames
@@ -70,6 +72,7 @@ class Study(Displayed):
             "sample": self.sampled.facts,
             "analysis": self.report.as_json(),
             "representatives": self.representatives and self.representatives.as_json(),
+            "fit": None if self.fit is None else self.fit.found.as_json(),
             "path": None if self.path is None else self.path.as_json(),
             "check": None if self.check is None else self.check.as_json(),
             "why_no_check": self.why_no_check,

@@ -8,22 +8,23 @@ import importlib
 import os
 import subprocess
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from pliant._core import Error, InputError, OptionError, path_rows
+from pliant._core import DensityMap, Error, InputError, OptionError, PathOptions, path_rows
 from pliant.adapters.smiles import embedded
 from pliant.base.checked import SEED, checked, whole
 from pliant.base.extras import need
 from pliant.base.new_file import check_folder
 from pliant.base.progress import Stages
 from pliant.base.said import noted
+from pliant.jobs.fit.task import FitTask
 from pliant.jobs.process import job_options, molecule_rows, run_job
 from pliant.report.study.studied import Sampled, Study
 
 #: how many there are: the bar of a call has room for so many
-STAGES = 19
+STAGES = 20
 
 
 @checked(frames=whole(4), seed=SEED)
@@ -32,6 +33,10 @@ def study(
     end: str | os.PathLike[str] | None = None,
     output: str | os.PathLike[str] | None = None,
     *,
+    distances: str | os.PathLike[str] | Sequence[Mapping[str, Any]] | None = None,
+    map: str | os.PathLike[str] | DensityMap | None = None,
+    resolution: float | None = None,
+    place: bool = False,
     smiles: str | None = None,
     frames: int | None = None,
     seed: int = 0,
@@ -54,6 +59,9 @@ def study(
         Another structure of the same molecule, PDB or mmCIF: a path to it is found as well.
     output : str or path, optional
         Folder for the results. Default: the file's name with ``-study``, in the current folder.
+    distances, map, resolution, place
+        Data as ``fit`` takes them: the page says whether the molecule agrees with them, and the
+        fitted structure is written.
     smiles : str, optional
         Instead of a file: a molecule that RDKit makes, see ``from_smiles``.
     frames : int, optional
@@ -89,13 +97,14 @@ def study(
     asked = _molecule_options(options, end)
     folder = Path(output) if output is not None else Path(f"{_stem(file)}-study")
     _check_output(folder, overwrite)
-    guessed: list[str] = []
-    if file is None:
-        with noted() as guessed:
+    with noted() as guessed:
+        data = {"density": map, "resolution": resolution, "place": place}
+        fit = _fit_task(file, {"distances": distances, **data}, seed, asked)
+        if file is None:
             file = _embedded(str(smiles), folder, seed)
     sample = {"input": os.fspath(file), "seed": seed, "frames": frames, **asked}
     task: dict[str, Any] = {"file": file, "end": end, "folder": folder, "seed": seed}
-    task |= {"asked": asked, "check": check, "quiet": quiet}
+    task |= {"asked": asked, "fit": fit, "check": check, "quiet": quiet}
     if on_stage is not None:
         return _studied(sample, guessed, task, on_stage)
     with Stages("studying", STAGES) as stages:
@@ -110,7 +119,7 @@ def _studied(
 ) -> Study:
     on_stage("sampling")
     ensemble = _sampled(task["folder"], sample)
-    ensemble.facts["warnings"] = [*guessed, *ensemble.facts["warnings"]]
+    ensemble.facts["warnings"] = [*dict.fromkeys([*guessed, *ensemble.facts["warnings"]])]
     found: Study = _imported().StudyTask(**task).studied(ensemble, on_stage)
     return found
 
@@ -176,7 +185,24 @@ def _check_output(folder: Path, overwrite: bool) -> None:
 def _molecule_options(given: dict[str, Any], end: object) -> dict[str, Any]:
     """Raises OptionError for one that a path does not take, where there is to be one."""
     options = job_options(study, molecule_rows(), given)
-    alone = [name for name in options if name not in {row["name"] for row in path_rows()}]
-    if end is not None and alone:
-        raise OptionError(f"{alone[0]}: does not go with END: pliant path does not take it")
+    if end is not None:
+        _refuse_other_than_of_path(options, "END: pliant path")
     return options
+
+
+def _refuse_other_than_of_path(options: dict[str, Any], what: str) -> None:
+    alone = [name for name in options if name not in {row["name"] for row in path_rows()}]
+    if alone:
+        raise OptionError(f"{alone[0]}: does not go with {what} does not take it")
+
+
+def _fit_task(
+    file: str | os.PathLike[str] | None, data: dict[str, Any], seed: int, asked: dict[str, Any]
+) -> FitTask | None:
+    """Reads data and molecule, so that what is wrong is said at once; None without data."""
+    if all(value in (None, False) for value in data.values()):
+        return None
+    if file is None:
+        raise OptionError("distances, map: need FILE, a protein or nucleic acid")
+    _refuse_other_than_of_path(asked, "data: pliant fit")
+    return FitTask.of(file, half=None, seed=seed, options=PathOptions(**asked), **data)

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+"""A structure and the data that it is fitted to: read and checked, before anything takes long."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from pliant._core import OptionError, PathOptions, PliantWarning
+from pliant.jobs.fit import in_map
+from pliant.jobs.fit import nodes as at_nodes
+from pliant.jobs.fit.data import Datum, in_nanometres, read_distances
+from pliant.jobs.fit.fitted import FittedStructure, agreement_of
+from pliant.jobs.fit.molecule import Molecule
+from pliant.trajectory.superposition import superpose_onto
+
+Distances: TypeAlias = "str | os.PathLike[str] | Sequence[Mapping[str, Any]]"
+
+
+@dataclass(frozen=True)
+class FitTask:
+    """What is fitted to what."""
+
+    molecule: Molecule
+    data: list[Datum]
+    density: in_map.MapData | None
+    place: bool  #: whether the start is to be put into the map first
+
+    @classmethod
+    def of(
+        cls,
+        start: Any,
+        distances: Distances | None,
+        density: in_map.Given | None,
+        resolution: float | None,
+        half: in_map.Given | None,
+        place: bool,
+        seed: int,
+        options: PathOptions,
+    ) -> FitTask:
+        """Raises OptionError or InputError, which say what is wrong, as `fit` does."""
+        if density is None and (resolution is not None or half is not None or place):
+            raise OptionError("resolution, half, place: of a map, and none is given")
+        read = None if density is None else in_map.read_map(density, resolution, half)
+        molecule = Molecule(start, seed, options)
+        data = [] if distances is None else _distances(molecule, distances)
+        if read is not None and not place:
+            read.refuse_outside(molecule.placed[molecule.atoms])
+        return cls(molecule, data, read, place)
+
+    def fitted(self, keep: int = 1) -> FittedStructure:
+        """Of a molecule whose ensemble is there."""
+        molecule, data, density = self.molecule, self.data, self.density
+        if density is not None and self.place:
+            molecule.place_into(density)
+        of, structure = molecule.ensemble, molecule.structure
+        known = at_nodes.Known(data)
+        if density is not None:
+            known = at_nodes.Known(data, density.at_nodes(structure, of.frames))
+        found = at_nodes.consistent(of, known)
+        fits = found.fits
+        wholes = [molecule.brought(fits, k) for k in range(min(keep, len(fits.frames)))]
+        best, start = wholes[0].positions[molecule.atoms], of.start
+        used = [data[k] for k in found.kept]
+        missed = [found.left_out[k].off for k in found.kept if k in found.left_out]
+        return FittedStructure(
+            model=molecule.model,
+            kept=wholes,
+            data=agreement_of(data, start, best, found.contradicting, found.left_out),
+            density=None
+            if density is None
+            else in_map.agreement_with(
+                density,
+                in_map.at(structure, molecule.placed),
+                in_map.at(structure, wholes[0].positions),
+                molecule.atoms,
+                molecule.sites.labels,
+                in_map.freedom_of(density, of, known.only(found.kept), structure, fits.frames[0]),
+            ),
+            labels=molecule.sites.labels,
+            spread=fits.spread if density is None else density.spread(fits.spread),
+            rmsd_from_start=_rms(superpose_onto(best[None], slice(None), start)[0] - start),
+            agreeing=len(fits.agreeing),
+            fits=len(fits.frames),
+            off_at_start=_rms(at_nodes.violations(start, used)[:, None]),
+            off_left_out=_rms(np.array(missed)[:, None]) if missed else None,
+        )
+
+
+def _distances(molecule: Molecule, given: Any) -> list[Datum]:
+    data = read_distances(given, molecule.sites)
+    if in_nanometres(data, np.asarray(molecule.model.positions)[molecule.atoms]):
+        warnings.warn("distances look as if they were in nm: Angstrom are asked for", PliantWarning,
+                      stacklevel=5)  # fmt: skip
+    return data
+
+
+def _rms(moves: np.ndarray) -> float:
+    return float(np.sqrt((moves**2).sum(axis=1).mean())) if len(moves) else 0.0
