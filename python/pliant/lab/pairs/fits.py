@@ -16,6 +16,7 @@ from pliant._core import DensityData, DensityMap, Error, InputError, PathOptions
 from pliant.jobs.fit import nodes as at_nodes
 from pliant.jobs.fit.data import Datum
 from pliant.jobs.fit.design import best_pairs, labelled
+from pliant.jobs.fit.in_map import FLOOR
 from pliant.jobs.fit.molecule import FRAMES, Molecule
 from pliant.lab.pairs.directions import Direction, Judge, directions_of
 from pliant.lab.pairs.maps import noisy, without_half
@@ -186,30 +187,35 @@ class _Case:
         for name, resolution, change in MAPS:
             density = change(DensityMap.from_structure(goal, resolution), resolution)
             data = DensityData(density, resolution, self.molecule.structure, frames)
-            found += self.fits_to(name, at_nodes.Known([], data), None)
+            floor = FLOOR * resolution
+            found += self.fits_to(name, at_nodes.Known([], data), None, floor)
         return found
 
     def to(self, name: str, data: list[Datum], wrong: int | None = None) -> list[Fit]:
         return self.fits_to(name, at_nodes.Known(data), wrong)
 
-    def fits_to(self, name: str, data: at_nodes.Known, wrong: int | None) -> list[Fit]:
+    def fits_to(
+        self, name: str, data: at_nodes.Known, wrong: int | None, floor: float = 0.0
+    ) -> list[Fit]:
         """At the nodes, and with all atoms."""
         begun = time.perf_counter()
         known = at_nodes.consistent(self.of, data)
-        rows = [self.row(name, known, known.fits.positions[0], wrong, begun)]
+        spread = np.hypot(known.fits.spread, floor)
+        rows = [self.row(name, known, known.fits.positions[0], spread, wrong, begun)]
         atoms = self.molecule.brought(known.fits, 0).positions[self.molecule.atoms]
-        return [*rows, self.row(f"{name}, all atoms", known, atoms, wrong, begun)]
+        return [*rows, self.row(f"{name}, all atoms", known, atoms, spread, wrong, begun)]
 
     def row(
         self,
         name: str,
         known: at_nodes.Consistent,
         nodes: np.ndarray,
+        spread: np.ndarray,
         wrong: int | None,
         begun: float,
     ) -> Fit:
         apart = self.apart(nodes)
-        within = apart <= 2 * known.fits.spread[self.shared]
+        within = apart <= 2 * spread[self.shared]
         return Fit(
             protein=self.direction.protein,
             direction=self.direction.name,
