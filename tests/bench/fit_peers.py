@@ -76,7 +76,9 @@ def dihedral(p: np.ndarray) -> float:
     return float(np.arctan2(np.cross(b1, v) @ w, v @ w))
 
 
-def rigid_dihedrals(modeller: app.Modeller, positions: np.ndarray) -> dict[int, tuple[float, float]]:
+def rigid_dihedrals(
+    modeller: app.Modeller, positions: np.ndarray
+) -> dict[int, tuple[float, float]]:
     residues = list(modeller.topology.residues())
     found = {}
     for k in range(1, len(residues) - 1):
