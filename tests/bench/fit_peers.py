@@ -6,7 +6,7 @@ gradient of the map, 0.3 kcal/mol for each dalton at the greatest density; Amber
 vacuum, 300 K; helices and strands held by dihedral restraints. Both begin at the same place. Times
 are of processors, one thread each.
 
-    python tests/bench/fit_peers.py --picoseconds 100
+    python tests/bench/fit_peers.py --picoseconds 50
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ import MDAnalysisTests
 import numpy as np
 import openmm
 from openmm import app, unit
+from pliant.trajectory.superposition import superpose_onto
 
 import pliant
-from pliant.trajectory.superposition import superpose_onto
 
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 RESOLUTION = 8.0
