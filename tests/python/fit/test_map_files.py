@@ -5,6 +5,7 @@ import gzip
 import re
 import struct
 from itertools import permutations
+from pathlib import Path
 
 import gemmi
 import numpy as np
@@ -162,3 +163,19 @@ def test_devices_and_folders_are_refused(tmp_path):
     for path in ("/dev/zero", tmp_path, tmp_path / "none.mrc"):
         with pytest.raises(pliant.FileError, match="cannot read"):
             pliant.DensityMap.read(path)
+
+
+def test_maps_of_crystals_and_microscopes_are_where_others_have_them():
+    gridData = pytest.importorskip("gridData")
+    tests = Path(gridData.__file__).parent / "tests" / "datafiles"
+    if not (tests / "1jzv.ccp4").exists():
+        pytest.skip("gridDataFormats came without its test files")
+    crystal = pliant.DensityMap.read(tests / "1jzv.ccp4")  # axes y, x, z; nstart
+    grid = gridData.Grid(str(tests / "1jzv.ccp4"))
+    assert crystal.origin == pytest.approx(grid.origin, abs=1e-5)
+    assert crystal.spacing == pytest.approx(grid.delta, abs=1e-6)
+    assert np.array_equal(crystal.values, grid.grid.astype(np.float32))
+    density = pliant.DensityMap.read(tests / "ispg_0.mrc")
+    other = gemmi.read_ccp4_map(str(tests / "ispg_0.mrc"), setup=True)
+    assert np.array_equal(density.values, np.array(other.grid))
+    assert density.spacing == pytest.approx(np.full(3, 3.0))
