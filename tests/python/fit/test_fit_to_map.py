@@ -12,6 +12,7 @@ import pliant
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
 from pliant.jobs.fit.command import main
+from pliant.measure.ramachandran import OUTLIER, judged
 
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 OPEN, CLOSED = DATA / "adk_open.pdb", DATA / "adk_closed.pdb"
@@ -63,6 +64,18 @@ def test_its_bars_are_exact(closing):
         lengths = np.linalg.norm(positions[bars[:, 1]] - positions[bars[:, 0]], axis=1)
         assert np.abs(lengths / rest - 1).max() < 1e-9
     assert max(one.overlap for one in closing.kept) <= 0.1
+
+
+def test_its_backbone_is_as_good_as_that_of_start(closing):
+    mda = pytest.importorskip("MDAnalysis")
+    angles = pytest.importorskip("MDAnalysis.analysis.dihedrals")
+    assert closing.outliers <= closing.outliers_at_start + 0.02
+    universe = mda.Universe(OPEN)
+    with_side_chain = universe.select_atoms("protein and not resname GLY PRO")
+    found = angles.Ramachandran(with_side_chain, check_protein=False).run().results.angles[0]
+    assert closing.outliers_at_start == pytest.approx(
+        (judged(*found.T) == OUTLIER).mean(), abs=1e-3
+    )
 
 
 def test_the_other_half_judges_it(closing):

@@ -57,6 +57,8 @@ class FittedStructure(HasFrames, Displayed):
     labels: list[str] = field(repr=False)  #: (M) residues
     spread: np.ndarray = field(repr=False)  #: (M) Angstrom, over all fits that agree
     rmsd_from_start: float  #: of alpha carbons, Angstrom
+    outliers_at_start: float  #: share of residues outside the allowed regions of phi and psi
+    outliers: float  #: of the best structure
     agreeing: int  #: fits that agree about as well as the best
     fits: int
     off_at_start: float  #: violation of the start by the data that were kept, r.m.s. Angstrom
@@ -133,6 +135,8 @@ class FittedStructure(HasFrames, Displayed):
             ("spread", f"{self.spread.min():.1f} to {self.spread.max():.1f} A by residue, over "
                        f"{self.agreeing} of {self.fits} fits: precision, not accuracy"),
             ("contacts", f"{best.contacts_let_go} let go"),
+            ("backbone", f"{100 * self.outliers:.1f} % of residues are Ramachandran outliers "
+                         f"(START {100 * self.outliers_at_start:.1f})"),
             ("quality", f"bonds and angles off by {best.max_residual:.0e} at most, overlap "
                         f"{best.overlap:.3f} A{tightest}"),
         ]  # fmt: skip
@@ -146,6 +150,8 @@ class FittedStructure(HasFrames, Displayed):
             "distances": [vars(one) for one in self.data],
             "map": None if self.density is None else self.density.as_json(self.labels),
             "rmsd_from_start": self.rmsd_from_start,
+            "outliers": self.outliers,
+            "outliers_at_start": self.outliers_at_start,
             "off_at_start": self.off_at_start,
             "off_left_out": self.off_left_out,
             "fits": self.fits,

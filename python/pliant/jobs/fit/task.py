@@ -17,6 +17,7 @@ from pliant.jobs.fit import nodes as at_nodes
 from pliant.jobs.fit.data import Datum, in_nanometres, read_distances
 from pliant.jobs.fit.fitted import FittedStructure, agreement_of
 from pliant.jobs.fit.molecule import Molecule
+from pliant.measure.backbone import ramachandran_outliers
 from pliant.trajectory.superposition import superpose_onto
 
 Distances: TypeAlias = "str | os.PathLike[str] | Sequence[Mapping[str, Any]]"
@@ -66,6 +67,8 @@ class FitTask:
         fits = found.fits
         wholes = [molecule.brought(fits, k) for k in range(min(keep, len(fits.frames)))]
         best, start = wholes[0].positions[molecule.atoms], of.start
+        ends = np.array([molecule.model.positions, wholes[0].positions])
+        outliers = ramachandran_outliers(structure, ends)
         used = [data[k] for k in found.kept]
         missed = [found.left_out[k].off for k in found.kept if k in found.left_out]
         return FittedStructure(
@@ -85,6 +88,8 @@ class FitTask:
             labels=molecule.sites.labels,
             spread=fits.spread if density is None else density.spread(fits.spread),
             rmsd_from_start=_rms(superpose_onto(best[None], slice(None), start)[0] - start),
+            outliers_at_start=float(outliers[0]),
+            outliers=float(outliers[1]),
             agreeing=len(fits.agreeing),
             fits=len(fits.frames),
             off_at_start=_rms(at_nodes.violations(start, used)[:, None]),

@@ -18,6 +18,7 @@ from scipy.spatial import cKDTree
 
 from pliant._core import MolecularModel, Structure
 from pliant.lab.validity.clashes import HeavyClashes
+from pliant.measure.backbone import neighbours_of, peptide_links, phi_psi_atoms
 from pliant.measure.geometry import torsions_of
 from pliant.measure.overlaps import within_three_bonds
 
@@ -79,12 +80,12 @@ class Checker:
         self._rest = np.asarray(model.framework.rest_lengths)
         self._near = _Nearness(structure, self._start)
         self._clashes = HeavyClashes(structure)
-        neighbours = _neighbours(structure)
+        neighbours = neighbours_of(structure)
         self._centres = _centres(structure, neighbours, self._start)
         self._sides = _volumes(self._start, self._centres)
-        links = _links(structure, neighbours)
+        links = peptide_links(structure, neighbours)
         self._omega = _omegas(links)
-        self._phi_psi = _phi_psi(structure, links)
+        self._phi_psi = phi_psi_atoms(structure, links)
         self._chi = _chis(structure)
 
     def look(self, frames: np.ndarray) -> Stereochemistry:
@@ -177,14 +178,6 @@ def _kinds(structure: Structure) -> np.ndarray:
     return np.array([KINDS.index(name) for name in kind])
 
 
-def _neighbours(structure: Structure) -> list[list[int]]:
-    lists: list[list[int]] = [[] for _ in range(len(structure))]
-    for a, b in np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2).tolist():
-        lists[a].append(b)
-        lists[b].append(a)
-    return lists
-
-
 def _centres(structure: Structure, neighbours: list[list[int]], start: np.ndarray) -> np.ndarray:
     """Rows of a carbon and three heavy neighbours that are not in a plane with it."""
     elements = structure.elements
@@ -204,32 +197,8 @@ def _volumes(positions: np.ndarray, centres: np.ndarray) -> np.ndarray:
     return volumes
 
 
-def _links(structure: Structure, neighbours: list[list[int]]) -> list[tuple[int, ...]]:
-    """Rows CA, C, N, CA across each peptide bond."""
-    names, residue = structure.names, structure.residue_of
-    place = {(int(residue[k]), str(names[k])): int(k) for k in range(len(structure))}
-    links: list[tuple[int, ...]] = []
-    for c in np.flatnonzero((names == "C") & (structure.elements == 6)).tolist():
-        for n in neighbours[c]:
-            ends = place.get((int(residue[c]), "CA")), place.get((int(residue[n]), "CA"))
-            if str(names[n]) == "N" and residue[n] != residue[c] and None not in ends:
-                links.append((int(ends[0] or 0), c, n, int(ends[1] or 0)))
-    return links
-
-
 def _omegas(links: list[tuple[int, ...]]) -> np.ndarray:
     return np.array(links, dtype=np.int64).reshape(-1, 4)
-
-
-def _phi_psi(structure: Structure, links: list[tuple[int, ...]]) -> np.ndarray:
-    """Rows C, N, CA, C, N of residues between two others, but not glycine and proline."""
-    before = {ca: (c, n) for _, c, n, ca in links}
-    kinds = structure.residue_names
-    rows = []
-    for ca, c, n, _ in links:
-        if ca in before and str(kinds[ca]) not in ("GLY", "PRO"):
-            rows.append([*before[ca], ca, c, n])
-    return np.array(rows, dtype=np.int64).reshape(-1, 5)
 
 
 def _chis(structure: Structure) -> np.ndarray:
