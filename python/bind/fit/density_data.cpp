@@ -12,10 +12,19 @@ namespace {
 
 constexpr double margin = 20.0;  // Angstrom: of a map around the frames that are fitted
 
-/// The mass of the residues of polymers, at nodes as nodes_to_fit() gives them.
-ResidueSites sites_of(const Structure& structure) {
-  const ResidueNodes all = residue_nodes(structure);
+/// The atoms of the residues of polymers, with nodes as nodes_to_fit() gives them.
+struct ResidueMass {
   FitNodes nodes;
+  std::vector<Vec3> atoms;
+  std::vector<double> weights;
+  std::vector<std::uint32_t> node_of;
+
+  explicit ResidueMass(const Structure& structure);
+  ResidueSites sites(std::size_t parts) const { return {nodes, atoms, weights, node_of, parts}; }
+};
+
+ResidueMass::ResidueMass(const Structure& structure) {
+  const ResidueNodes all = residue_nodes(structure);
   std::vector<std::uint32_t> number(all.positions.size(), no_residue_node);
   for (std::size_t k = 0; k < all.positions.size(); ++k) {
     if (!all.is_residue[k]) continue;
@@ -23,9 +32,6 @@ ResidueSites sites_of(const Structure& structure) {
     nodes.positions.push_back(all.positions[k]);
     nodes.chain.push_back(all.chain[k]);
   }
-  std::vector<Vec3> atoms;
-  std::vector<double> weights;
-  std::vector<std::uint32_t> node_of;
   for (std::size_t atom = 0; atom < structure.size(); ++atom) {
     const std::uint32_t of = all.of_atom[atom];
     if (of == no_residue_node || number[of] == no_residue_node) continue;
@@ -33,7 +39,6 @@ ResidueSites sites_of(const Structure& structure) {
     weights.push_back(structure.atoms.elements[atom]);
     node_of.push_back(number[of]);
   }
-  return {nodes, atoms, weights, node_of};
 }
 
 std::vector<Vec3> all_of(const GivenFrames& frames) {
@@ -47,7 +52,9 @@ std::vector<Vec3> all_of(const GivenFrames& frames) {
 
 DensityTarget target_of(const DensityMap& map, double resolution, const Structure& structure,
                         const GivenFrames& frames) {
-  return {cropped(map, all_of(frames), margin), median(map), resolution, sites_of(structure)};
+  const ResidueMass mass(structure);
+  return {cropped(map, all_of(frames), margin), median(map), resolution, mass.sites(1),
+          mass.sites(2)};
 }
 
 /// (F) at the coarse or at the fine level.
@@ -74,8 +81,8 @@ Of the map the part around the nodes of `frames` (F, M, 3) is kept; its median c
 }  // namespace
 
 void check_sites(const DensityTarget& density, std::size_t nodes) {
-  if (density.sites().node_count() != nodes)
-    throw InputError("density: expected frames of " + std::to_string(density.sites().node_count()) +
+  if (density.node_count() != nodes)
+    throw InputError("density: expected frames of " + std::to_string(density.node_count()) +
                      " nodes, found " + std::to_string(nodes));
 }
 

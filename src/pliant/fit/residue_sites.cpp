@@ -42,7 +42,8 @@ ResidueSite residue_site(const FitNodes& nodes, std::uint32_t node, Vec3 arm, do
 }
 
 ResidueSites::ResidueSites(const FitNodes& nodes, std::span<const Vec3> atoms,
-                           std::span<const double> weights, std::span<const std::uint32_t> node_of)
+                           std::span<const double> weights, std::span<const std::uint32_t> node_of,
+                           std::size_t parts)
     : nodes_(nodes.positions.size()) {
   struct Mass {
     double weight = 0.0;
@@ -51,7 +52,7 @@ ResidueSites::ResidueSites(const FitNodes& nodes, std::span<const Vec3> atoms,
   std::vector<std::array<Mass, 2>> masses(nodes.positions.size());
   for (std::size_t k = 0; k < atoms.size(); ++k) {
     const Vec3 arm = atoms[k] - nodes.positions[node_of[k]];
-    Mass& mass = masses[node_of[k]][norm_squared(arm) > backbone * backbone ? 1 : 0];
+    Mass& mass = masses[node_of[k]][parts > 1 && norm_squared(arm) > backbone * backbone ? 1 : 0];
     mass.weight += weights[k];
     mass.moment += weights[k] * arm;
   }

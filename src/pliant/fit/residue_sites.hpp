@@ -30,11 +30,11 @@ class ResidueSites {
   ResidueSites(std::size_t nodes, std::vector<ResidueSite> sites)
       : nodes_(nodes), sites_(std::move(sites)) {}
 
-  /// Two points of mass for each node: the mass of the atoms near to it (of a backbone), and of the
-  /// others. `atoms` and `weights` are at the same time as the nodes; `node_of` says to which node
-  /// an atom belongs.
+  /// Points of mass: one for each node, of all its atoms, or two: the mass of the atoms near to it
+  /// (of a backbone), and of the others. `atoms` and `weights` are at the same time as the nodes;
+  /// `node_of` says to which node an atom belongs.
   ResidueSites(const FitNodes& nodes, std::span<const Vec3> atoms, std::span<const double> weights,
-               std::span<const std::uint32_t> node_of);
+               std::span<const std::uint32_t> node_of, std::size_t parts);
 
   std::size_t node_count() const { return nodes_; }
   std::size_t size() const { return sites_.size(); }

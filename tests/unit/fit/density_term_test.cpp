@@ -34,16 +34,16 @@ struct Helix {
     }
   }
 
-  ResidueSites sites() const { return {nodes, atoms, weights, node_of}; }
+  ResidueSites sites(std::size_t parts) const { return {nodes, atoms, weights, node_of, parts}; }
   DensityTarget target() const {
     const MapGrid grid = grid_around(atoms, 3 * resolution, 1.0);
-    return {simulated(grid, atoms, weights, resolution), 0.0, resolution, sites()};
+    return {simulated(grid, atoms, weights, resolution), 0.0, resolution, sites(1), sites(2)};
   }
 };
 
 TEST(ResidueSites, AreWhereTheMassIsAndMoveWithIt) {
   const Helix helix;
-  const ResidueSites sites = helix.sites();
+  const ResidueSites sites = helix.sites(2);
   ASSERT_EQ(sites.size(), helix.atoms.size());
   ASSERT_EQ(sites.node_count(), 20u);
   const Rotation turn = turn_about({0.6, 0, 0.8}, 0.4);

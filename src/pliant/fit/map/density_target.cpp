@@ -22,8 +22,7 @@ double norm_of(const DensityMap& map) {
 }  // namespace
 
 DensityTarget::DensityTarget(const DensityMap& map, double background, double resolution,
-                             ResidueSites sites)
-    : sites_(std::move(sites)) {
+                             ResidueSites coarse, ResidueSites fine) {
   check_resolution(resolution);
   const DensityMap right = on_right_angles(map);
   const DensityMap above = scaled(right, background, 1.0);
@@ -36,7 +35,8 @@ DensityTarget::DensityTarget(const DensityMap& map, double background, double re
     const DensityMap seen = more > 0.0 ? blurred_by(above, more * sigma) : above;
     const double wide =
         std::sqrt(times * sigma * times * sigma + spread_of_residues * spread_of_residues);
-    levels_.push_back({wide, blurred_by(seen, wide), norm_of(seen)});
+    levels_.push_back(
+        {wide, blurred_by(seen, wide), norm_of(seen), std::move(more > 0.0 ? coarse : fine)});
   }
 }
 

@@ -14,6 +14,7 @@ struct DensityLevel {
   double sigma = 0.0;    ///< Angstrom, of a Gaussian at a point of mass
   DensityMap convolved;  ///< the map convolved with it
   double norm = 0.0;     ///< root of the integral of the square of the map
+  ResidueSites sites;    ///< points of mass
 };
 
 /// A map and the mass that is to explain it, a Gaussian at each point of mass: at twice the
@@ -22,15 +23,15 @@ class DensityTarget {
  public:
   /// Density below `background` counts as none. Throws InputError if the map is nowhere above
   /// that, OptionError as check_resolution() does.
-  DensityTarget(const DensityMap& map, double background, double resolution, ResidueSites sites);
+  DensityTarget(const DensityMap& map, double background, double resolution, ResidueSites coarse,
+                ResidueSites fine);
 
   const DensityLevel& coarse() const { return levels_[0]; }
   const DensityLevel& fine() const { return levels_[1]; }
-  const ResidueSites& sites() const { return sites_; }
+  std::size_t node_count() const { return fine().sites.node_count(); }
 
  private:
   std::vector<DensityLevel> levels_;
-  ResidueSites sites_;
 };
 
 }  // namespace pliant

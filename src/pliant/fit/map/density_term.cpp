@@ -24,7 +24,7 @@ void DensityTerm::begin(std::size_t stage, std::span<const Vec3> nodes) {
   level_ = stage < coarse_stages ? &target_.coarse() : &target_.fine();
   weight_ = weight_per_node * fit_weights[stage] * static_cast<double>(nodes.size());
   near_.clear();
-  const std::vector<Vec3> places = sites_.places(nodes);
+  const std::vector<Vec3> places = level_->sites.places(nodes);
   const double cutoff = reach * std::numbers::sqrt2 * level_->sigma + margin;
   CellList(places, cutoff).for_each_pair([&](std::uint32_t i, std::uint32_t j, double) {
     near_.emplace_back(i, j);
@@ -53,7 +53,7 @@ DensityTerm::Overlap DensityTerm::with_map(std::span<const Vec3> places) const {
   const double integral = cubed(std::sqrt(2.0 * std::numbers::pi) * level_->sigma);
   Overlap out;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    const double factor = integral * sites_.weight(k);
+    const double factor = integral * level_->sites.weight(k);
     const DensityAt found = level_->convolved.at(places[k]);
     out.parts.push_back(factor * found.value);
     out.slopes.push_back(factor * found.gradient);
@@ -67,14 +67,14 @@ DensityTerm::Overlap DensityTerm::with_itself(std::span<const Vec3> places) cons
   const double integral = cubed(std::sqrt(std::numbers::pi) * level_->sigma);
   Overlap out{{}, std::vector<Vec3>(places.size())};
   for (std::size_t k = 0; k < places.size(); ++k)
-    out.parts.push_back(integral * sites_.weight(k) * sites_.weight(k));
+    out.parts.push_back(integral * level_->sites.weight(k) * level_->sites.weight(k));
   for (const auto& [i, j] : near_) {
     const Vec3 between = places[i] - places[j];
     const double squared = norm_squared(between);
     if (squared > 2.0 * reach * reach * variance) continue;
     // What the map does not hold would else be driven apart, as nothing is expected there.
-    const double shared = std::max(held_[i], held_[j]) * integral * sites_.weight(i) *
-                          sites_.weight(j) * exact_bits_exp(-0.25 * squared / variance);
+    const double shared = std::max(held_[i], held_[j]) * integral * level_->sites.weight(i) *
+                          level_->sites.weight(j) * exact_bits_exp(-0.25 * squared / variance);
     out.parts[i] += shared;
     out.parts[j] += shared;
     const Vec3 slope = (-shared / variance) * between;
@@ -85,19 +85,19 @@ DensityTerm::Overlap DensityTerm::with_itself(std::span<const Vec3> places) cons
 }
 
 double DensityTerm::add(std::span<const Vec3> nodes, std::span<Vec3> gradient) const {
-  const std::vector<Vec3> places = sites_.places(nodes);
+  const std::vector<Vec3> places = level_->sites.places(nodes);
   const Overlap map = with_map(places), own = with_itself(places);
   const double factor = weight_ * scale_ / (level_->norm * level_->norm);
   std::vector<Vec3> slopes(places.size());
   for (std::size_t k = 0; k < places.size(); ++k)
     slopes[k] = factor * (scale_ * own.slopes[k] - 2.0 * map.slopes[k]);
-  sites_.add_gradient(nodes, slopes, gradient);
+  level_->sites.add_gradient(nodes, slopes, gradient);
   return weight_ + factor * (scale_ * own.value() - 2.0 * map.value());
 }
 
 double DensityTerm::correlation(std::span<const Vec3> nodes) {
-  held_.assign(sites_.size(), 1.0);
-  const std::vector<Vec3> places = sites_.places(nodes);
+  held_.assign(level_->sites.size(), 1.0);
+  const std::vector<Vec3> places = level_->sites.places(nodes);
   return with_map(places).value() / (level_->norm * std::sqrt(with_itself(places).value()));
 }
 

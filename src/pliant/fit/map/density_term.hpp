@@ -20,7 +20,7 @@ namespace pliant {
 class DensityTerm : public FitTerm {
  public:
   /// The target must outlive it.
-  explicit DensityTerm(const DensityTarget& target) : target_(target), sites_(target.sites()) {}
+  explicit DensityTerm(const DensityTarget& target) : target_(target) {}
   void begin(std::size_t stage, std::span<const Vec3> nodes) override;
   double add(std::span<const Vec3> nodes, std::span<Vec3> gradient) const override;
 
@@ -38,7 +38,6 @@ class DensityTerm : public FitTerm {
   Overlap with_itself(std::span<const Vec3> places) const;
 
   const DensityTarget& target_;
-  const ResidueSites& sites_;
   const DensityLevel* level_ = nullptr;
   double weight_ = 0.0, scale_ = 0.0;
   std::vector<double> held_;  ///< from 0 to 1: how far the map holds each point of mass
