@@ -25,7 +25,7 @@ from pliant.lab.results import Cell, Results, print_table
 from pliant.lab.structures import amino_part, quiet, read_quietly
 from pliant.trajectory.superposition import superpose_onto
 
-ERROR = 1.0  #: Angstrom
+ERROR, OTHER_ERRORS = 1.0, (0.5, 3.0)  #: Angstrom
 WRONG = 15.0
 ANY = (0.0, np.inf)
 COUNTS = (5, 10, 20)
@@ -172,6 +172,8 @@ class _Case:
         made = best_pairs(self.of.frames, sites, COUNTS[-1], ANY, gained=0.0)
         pairs = [one.pair for one in made]
         found = [row for k in COUNTS for row in self.to(f"{k} designed", self.data(pairs[:k]))]
+        for error in OTHER_ERRORS:
+            found += self.to(f"10 designed, +-{error:g} A", self.data(pairs[:10], error=error))
         found += self.to(RANDOM, self.data(self.drawn()))
         wrong = int(self.random.integers(min(10, len(pairs))))
         found += self.to(MISTAKEN, self.data(pairs[:10], wrong), wrong)
@@ -241,14 +243,16 @@ class _Case:
                 pairs.append((one, other))
         return pairs
 
-    def data(self, pairs: Sequence[tuple[int, int]], wrong: int | None = None) -> list[Datum]:
+    def data(
+        self, pairs: Sequence[tuple[int, int]], wrong: int | None = None, error: float = ERROR
+    ) -> list[Datum]:
         place = {int(node): k for k, node in enumerate(self.shared)}
         found = []
         for k, (one, other) in enumerate(pairs):
             middle = float(np.linalg.norm(self.goal[place[one]] - self.goal[place[other]]))
             if k == wrong:
                 middle += WRONG if middle < WRONG + 4 or self.random.random() < 0.5 else -WRONG
-            found.append(Datum(str(k), (one, other), middle - ERROR, middle + ERROR))
+            found.append(Datum(str(k), (one, other), max(0.0, middle - error), middle + error))
         return found
 
 
