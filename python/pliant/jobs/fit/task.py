@@ -75,16 +75,7 @@ class FitTask:
             model=molecule.model,
             kept=wholes,
             data=agreement_of(data, start, best, found.contradicting, found.left_out),
-            density=None
-            if density is None
-            else in_map.agreement_with(
-                density,
-                in_map.at(structure, molecule.placed),
-                in_map.at(structure, wholes[0].positions),
-                molecule.atoms,
-                molecule.sites.labels,
-                in_map.freedom_of(density, of, known.only(found.kept), structure, fits.frames[0]),
-            ),
+            density=self._in_map(of, known.only(found.kept), wholes[0].positions, fits.frames[0]),
             labels=molecule.sites.labels,
             spread=fits.spread if density is None else density.spread(fits.spread),
             rmsd_from_start=_rms(superpose_onto(best[None], slice(None), start)[0] - start),
@@ -94,6 +85,22 @@ class FitTask:
             fits=len(fits.frames),
             off_at_start=_rms(at_nodes.violations(start, used)[:, None]),
             off_left_out=_rms(np.array(missed)[:, None]) if missed else None,
+        )
+
+    def _in_map(
+        self, of: at_nodes.Ensemble, known: at_nodes.Known, found: np.ndarray, frame: int
+    ) -> in_map.MapAgreement | None:
+        """How a structure found (N, 3), fitted from that frame, agrees with the map, if any."""
+        molecule, structure = self.molecule, self.molecule.structure
+        if self.density is None:
+            return None
+        return in_map.agreement_with(
+            self.density,
+            in_map.at(structure, molecule.placed),
+            in_map.at(structure, found),
+            molecule.atoms,
+            molecule.sites.labels,
+            in_map.freedom_of(self.density, of, known, structure, frame),
         )
 
 
