@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "fit/map_agreement.hpp"
+#include "fit/map_surface.hpp"
 #include "molecule/structure.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/fit/map/blurred.hpp"
@@ -260,6 +261,7 @@ void bind_density_map(nb::module_& module) {
           save_doc);
   bind_grid(bound);
   bind_map_agreement(bound);
+  bind_map_surface(bound);
 }
 
 }  // namespace pliant::python

@@ -9,6 +9,9 @@ const FORMATS = {
   depth: ['DEPTH_COMPONENT24', 'DEPTH_COMPONENT', 'UNSIGNED_INT'],
 };
 
+/** Of corners. */
+const ATTRIBUTES = ['position', 'normal'];
+
 /** Numbers for shaders, by rows: whoever changes `data` calls changed(). */
 export class Texture {
   constructor(format, width, height, data = null) {
@@ -30,8 +33,9 @@ export class Target {
   }
 }
 
-/** What is drawn: corners (three numbers each) and faces (`index`) so many times, by a program.
- * `isOver`: whatever lies in front; `isTwoSided`: faces that look away too. */
+/** What is drawn: corners (three numbers each, with or without normals) and faces (`index`) so many
+ * times, by a program. `isOver`: whatever lies in front; `isTwoSided`: faces that look away too;
+ * `isClear`: what lies behind is seen, and drawn before. */
 export class Mesh {
   constructor(shape, shader, uniforms, look = {}) {
     Object.assign(this, {shape, shader, uniforms, isVisible: true, instances: 1, ...look});
@@ -51,7 +55,7 @@ function linked(gl, {vertex, fragment}) {
   const id = gl.createProgram();
   gl.attachShader(id, compiled(gl, gl.VERTEX_SHADER, vertex));
   gl.attachShader(id, compiled(gl, gl.FRAGMENT_SHADER, fragment));
-  gl.bindAttribLocation(id, 0, 'position');
+  for (const [place, name] of ATTRIBUTES.entries()) gl.bindAttribLocation(id, place, name);
   gl.linkProgram(id);
   const count = gl.getProgramParameter(id, gl.ACTIVE_UNIFORMS);
   const uniforms = Array.from({length: count}, (_, k) => gl.getActiveUniform(id, k))
@@ -59,15 +63,20 @@ function linked(gl, {vertex, fragment}) {
   return {id, uniforms};
 }
 
-function uploaded(gl, {position, index}) {
+function uploaded(gl, shape) {
   const faces = gl.createVertexArray();
   gl.bindVertexArray(faces);
-  for (const [where, data] of [[gl.ARRAY_BUFFER, position], [gl.ELEMENT_ARRAY_BUFFER, index]]) {
+  const upload = (where, data) => {
     gl.bindBuffer(where, gl.createBuffer());
     gl.bufferData(where, data, gl.STATIC_DRAW);
+  };
+  upload(gl.ELEMENT_ARRAY_BUFFER, shape.index);
+  for (const [place, name] of ATTRIBUTES.entries()) {
+    if (!shape[name]) continue;
+    upload(gl.ARRAY_BUFFER, shape[name]);
+    gl.enableVertexAttribArray(place);
+    gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
   }
-  gl.enableVertexAttribArray(0);
-  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
   return faces;
 }
 
@@ -175,7 +184,7 @@ export class Renderer {
     isOn('CULL_FACE', !mesh.isTwoSided);
     isOn('SAMPLE_ALPHA_TO_COVERAGE', mesh.isSmooth);
     isOn('BLEND', mesh.isClear);
-    gl.depthMask(!mesh.isOver);
+    gl.depthMask(!mesh.isOver && !mesh.isClear);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     gl.bindVertexArray(this.of(mesh.shape, (shape) => uploaded(gl, shape)));
     gl.drawElementsInstanced(gl.TRIANGLES, mesh.shape.index.length, gl.UNSIGNED_INT, 0, mesh.instances);

@@ -44,6 +44,7 @@ export class View {
     this.sticks = mesh(BOX, stickVertex, stickFragment, this.members.sticks);
     this.trace = mesh(BOX, traceVertex, stickFragment, NO_PART);
     this.arrow = new Arrow();
+    this.shell = null;  // a surface that one sees through
     this.overlays = [];  // drawn over the picture: {draw(view)}
     this.depthLook = new DepthLook(this.uniforms, QUAD, this.isSmooth ? 4 : 0);
     this.patch = new Target(1, 1);
@@ -237,6 +238,7 @@ export class View {
     uniforms.projectionMatrix.value = projection;
     renderer.clear(ground, opacity);
     for (const mesh of [ribbon.mesh, balls, sticks, trace]) renderer.draw(mesh);
+    if (this.shell && !uniforms.picking.value) renderer.draw(this.shell);
   }
 
   /** What is seen at a place in CSS pixels: {joint} or {bar}, or null. A joint up to `reach` beside

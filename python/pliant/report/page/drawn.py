@@ -66,9 +66,10 @@ def drawn_molecule(structure: Structure, chosen: np.ndarray) -> dict[str, Any]:
     }
 
 
-def drawn_positions(positions: np.ndarray) -> dict[str, Any]:
-    """Positions (f, n, 3) about the middle of the first frame, as 16-bit multiples of a step."""
-    positions = positions - positions[0].mean(axis=0)
+def drawn_positions(positions: np.ndarray, about: np.ndarray | None = None) -> dict[str, Any]:
+    """Positions (f, n, 3) as 16-bit multiples of a step, about a point (3,) or the middle of the
+    first frame."""
+    positions = positions - (positions[0].mean(axis=0) if about is None else about)
     step = max(float(np.abs(positions).max(initial=0.0)) / 32767, 1e-6)
     return {"step": step, "positions": as_base64(np.round(positions / step).astype("<i2"))}
 

@@ -3,6 +3,7 @@
 import {BROKEN, STRAINED, paintings} from './painting.mjs';
 import {Timeline} from './timeline.mjs';
 import {View} from './view/scene.mjs';
+import {shell} from './view/shell.mjs';
 import {STYLES} from './view/styles.mjs';
 import {Turner} from './view/turner.mjs';
 import {rgb} from './view/uniforms.mjs';
@@ -81,11 +82,12 @@ class Viewer {
     return Float32Array.from(this.positions.subarray(frame * size, (frame + 1) * size), (x) => x * step);
   }
 
-  /** Another structure over the start, with its lines; or the frames again. */
-  lay(isOn) {
+  /** Another structure over the start, with its lines, or both in the map; or the frames again. */
+  lay(key) {
     const {model, view, scene: {overlay}} = this;
+    const isOn = this.isLaid = key !== 'frames';
     this.play(false);
-    this.isLaid = isOn;
+    view.shell = key === 'map' ? this.shell ??= this.surface(overlay.surface) : null;
     const lines = isOn && {
       contacts: Int32Array.from(overlay.lines), contactKinds: overlay.kinds, contactKindColours: overlay.colours,
     };
@@ -94,6 +96,11 @@ class Viewer {
     view.members.firstContact = isOn ? view.textures.firstContact : Infinity;
     this.look();
     this.home();
+  }
+
+  surface({positions, step, triangles}) {
+    const corners = Float32Array.from(new Int16Array(bytes(positions).buffer), (x) => x * step);
+    return shell(corners, Uint32Array.from(new Uint16Array(bytes(triangles).buffer)), this.view.uniforms);
   }
 
   /** By code: below the tolerance negative, which is drawn blue, beyond it positive and orange. */
@@ -118,6 +125,7 @@ class Viewer {
     view.setStyle(isOfBars ? 'sticks' : this.style);
     view.setStrain(isOfBars ? this.strainOf(this.frame) : new Float32Array(model.bars.length / 2));
     view.setColours(painting.of);
+    if (view.shell) view.shell.uniforms.tint.value = rgb(colour('--soft'));
     if (facts.viewer) this.draw();
   }
 
@@ -214,8 +222,10 @@ class Viewer {
       this.legend();
       this.look();
     });
-    if (scene.overlay)
-      choices('shown', [['frames', 'frames'], ['overlay', scene.overlay.label]], 'frames', (key) => this.lay(key === 'overlay'));
+    if (scene.overlay) {
+      const map = scene.overlay.surface ? [['map', 'both in the map']] : [];
+      choices('shown', [['frames', 'frames'], ['overlay', scene.overlay.label], ...map], 'frames', (key) => this.lay(key));
+    }
     const series = Object.entries(scene.series).map(([key, {label}]) => [key, label]);
     choices('series', series, series[0]?.[0], (key) => {
       this.series = key;

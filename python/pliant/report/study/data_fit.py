@@ -10,8 +10,10 @@ import numpy as np
 
 from pliant.base import style
 from pliant.jobs.fit.fitted import HOLDS, FittedStructure
+from pliant.jobs.fit.in_map import at
 from pliant.jobs.fit.task import FitTask
 from pliant.measure.domains.rigid_turns import RigidTurns, rigid_turns
+from pliant.report.page.map_surface import MapSurface
 from pliant.report.page.overlay import Overlay
 from pliant.trajectory.superposition import Superposition
 
@@ -25,13 +27,19 @@ class DataFit:
     atoms: np.ndarray  #: (M,) the atom that stands for each residue
     chains: np.ndarray  #: (M,)
     pairs: np.ndarray  #: (K, 2) residues of the distances
+    surface: MapSurface | None = None  #: of the map, about the fitted structure
 
     @classmethod
     def of(cls, task: FitTask) -> DataFit:
         """Of a molecule whose ensemble is there."""
         found, molecule = task.fitted(), task.molecule
         pairs = np.array([one.pair for one in task.data], dtype=np.int64).reshape(-1, 2)
-        return cls(found, molecule.placed, molecule.atoms, np.asarray(molecule.chains), pairs)
+        surface = None
+        if (density := task.density) is not None:
+            fitted = at(found.structure, found.positions[0])
+            surface = MapSurface.around(density.density, density.resolution, fitted)
+        chains = np.asarray(molecule.chains)
+        return cls(found, molecule.placed, molecule.atoms, chains, pairs, surface)
 
     @property
     def numbers(self) -> np.ndarray:
@@ -62,9 +70,12 @@ class DataFit:
         return rigid_turns(self.start[self.atoms], fitted[self.atoms], self.chains)
 
     def overlay(self) -> Overlay:
-        """The fitted structure over START, superposed by the largest piece that did not bend."""
-        core = self.atoms[self.turns.piece == 0]
-        onto, fitted = Superposition(self.start[core], np.ones(len(core))), self.found.positions[0]
-        pair = np.stack([onto.apply(fitted, fitted[core]), self.start])
+        """The fitted structure over START, superposed by the largest piece that did not bend; in a
+        map both as they are there."""
+        core, fitted = self.atoms[self.turns.piece == 0], self.found.positions[0]
+        if self.surface is None:
+            onto = Superposition(self.start[core], np.ones(len(core)))
+            fitted = onto.apply(fitted, fitted[core])
         colours = [style.VERMILION if off else style.SKY for off in self.off]
-        return Overlay("fitted, over START", pair, self.atoms[self.pairs], colours)
+        pairs, both = self.atoms[self.pairs], np.stack([fitted, self.start])
+        return Overlay("fitted, over START", both, pairs, colours, self.surface)
