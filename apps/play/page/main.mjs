@@ -4,6 +4,7 @@ import './share/document.mjs';  // first: the page as it was loaded
 import {Hand} from './hand.mjs';
 import {Compare} from './panel/compare.mjs';
 import {Demo} from './first/demo.mjs';
+import {Distances} from './panel/distances.mjs';
 import {$, fold, guarded, say} from './panel/dom.mjs';
 import {Ensemble} from './panel/ensemble.mjs';
 import {Hint} from './first/hint.mjs';
@@ -66,6 +67,7 @@ function makeParts() {
   parts.fitBar = new FitBar(parts);
   parts.labels = new Labels(view, $('labels'));
   parts.measure = new Measure(parts);
+  parts.distances = new Distances(parts);
   parts.select = new Select(parts);
   parts.plots = new Plots(stage);
   parts.why = new Why(parts);
@@ -143,7 +145,7 @@ function loop(parts) {
 async function given(parts) {
   const block = $('given');
   if (!block) return false;
-  const {name, data, gone, model, live, isInside, known, session} = JSON.parse(block.textContent);
+  const {name, data, gone, model, live, isInside, known, session, distances} = JSON.parse(block.textContent);
   if (gone) throw new Error(`${name} was handed out once. Call pliant play again, or drop the file here.`);
   const bytes = fromBase64(data);
   if (isInside) parts.host = new Host(parts);
@@ -152,6 +154,7 @@ async function given(parts) {
     return true;
   }
   await parts.open.openBytes(name, bytes, model, known);
+  if (distances) parts.distances.set(distances);
   if (live) await new Live(parts).start(live);
   return true;
 }

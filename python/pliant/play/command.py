@@ -29,6 +29,10 @@ an ensemble larger than 96 MB, evenly spaced frames are shown, and the page says
 In the page: drag an atom to pull it, drag the background to rotate the view; "?" explains the
 rest.
 
+With --distances (CSV, as pliant fit takes it) lines join the alpha carbons of each measured
+distance: blue where it holds within 1 A, red where it is off. How many hold, and how far off all
+are (r.m.s.), is shown while you drag.
+
 With --connect the page shows a live run (pliant run --imd): its atoms as they move, its residual
 (how far the worst bar is off) and sweeps; a drag pulls on the atoms of the run. FILE is the
 molecule that the run reads, or the PDB file that it writes. A slow page skips frames and never
@@ -42,6 +46,7 @@ examples:
   pliant play protein.pdb
   pliant play caffeine.sdf --no-open
   pliant play ensemble.h5md
+  pliant play open.pdb --distances measured.csv
   pliant run protein.pdb --steps 1000000 --imd &
   pliant play --connect localhost:8888 protein.pdb
 """
@@ -67,6 +72,7 @@ def make_parser() -> console.Parser:
         type=server_address,
         help="show a live run (pliant run --imd) and pull on it;\n:PORT alone means this machine",
     )
+    add("--distances", metavar="CSV", help="show measured distances, and which of them hold")
     add("--no-open", action="store_true", help="print the address of the page, open no browser")
     return parser
 
@@ -81,12 +87,14 @@ def _play(arguments: argparse.Namespace) -> int:
     if arguments.connect:
         return _connect(arguments)
     file = page.page_file()
+    if arguments.file is None and arguments.distances is not None:
+        raise OptionError("--distances: expected FILE too")
     if arguments.file is None:
         _show(file.as_uri(), arguments.no_open)
         return console.EXIT_OK
     given, bare = Path(arguments.file), file.read_bytes()
     name = console.printable(given.name)
-    data, facts = _read(given, arguments.structure)
+    data, facts = _read(given, arguments.structure, arguments.distances)
     full = page.with_file(bare, name, data, **facts)
     with PageServer(full, page.without_file(bare, name)) as server:
         _show(server.address, arguments.no_open)
@@ -94,14 +102,18 @@ def _play(arguments: argparse.Namespace) -> int:
     return console.EXIT_OK
 
 
-def _read(given: Path, structure: str | None) -> tuple[bytes, dict[str, Any]]:
-    """The file, and what else a page is told of it: domains and shapes of many frames."""
+def _read(
+    given: Path, structure: str | None, distances: str | None
+) -> tuple[bytes, dict[str, Any]]:
+    """The file, and what else a page is told of it: distances; domains and shapes of frames."""
     from pliant.play.ensemble.many_frames import is_many_frames
 
     if not is_many_frames(given):
         if structure is not None:
             raise OptionError("STRUCTURE: goes with an ensemble in H5MD, which FILE is not")
-        return page.read_given(given), {}
+        return page.read_given(given), _distances(given, distances)
+    if distances is not None:
+        raise OptionError("--distances: goes with a structure, and FILE has many frames")
     from pliant.play.ensemble.facts import ensemble_for_page
 
     console.note("looking for domains and shapes in the frames")
@@ -109,11 +121,20 @@ def _read(given: Path, structure: str | None) -> tuple[bytes, dict[str, Any]]:
     return found.data, {"known": {"ensemble": found.facts}}
 
 
+def _distances(given: Path, table: str | None) -> dict[str, Any]:
+    if table is None:
+        return {}
+    from pliant.play.distances import distances_for_page
+
+    return distances_for_page(given, table)
+
+
 def _connect(arguments: argparse.Namespace) -> int:
     if arguments.file is None:
         raise OptionError("--connect: expected FILE too, the one that the run reads")
-    host, port = arguments.connect
-    return connect(host, port, Path(arguments.file), lambda at: _show(at, arguments.no_open))
+    (host, port), given = arguments.connect, Path(arguments.file)
+    facts = _distances(given, arguments.distances)
+    return connect(host, port, given, lambda at: _show(at, arguments.no_open), facts)
 
 
 def _show(address: str, no_open: bool) -> None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import asyncio
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 from pliant._core import FileError, InputError, PliantWarning, build_model, read, read_graph_xml
 from pliant.base import console
@@ -15,7 +16,13 @@ from pliant.play import page
 from pliant.play.upstream import Upstream
 
 
-def connect(host: str, port: int, given: Path, show: Callable[[str], None]) -> int:
+def connect(
+    host: str,
+    port: int,
+    given: Path,
+    show: Callable[[str], None],
+    facts: Mapping[str, Any] | None = None,
+) -> int:
     """Serves the page of a run until that has ended, or Ctrl-C; returns the exit code.
 
     Parameters
@@ -26,6 +33,8 @@ def connect(host: str, port: int, given: Path, show: Callable[[str], None]) -> i
         The file that the run reads.
     show : function
         Takes the page's address.
+    facts
+        What else the page is told.
 
     Raises
     ------
@@ -40,7 +49,7 @@ def connect(host: str, port: int, given: Path, show: Callable[[str], None]) -> i
         name = console.printable(given.name)
 
         def make_page(address: str) -> bytes:
-            full = page.with_file(bare, name, data, model=model, live=address)
+            full = page.with_file(bare, name, data, model=model, live=address, **(facts or {}))
             return page.with_connection(full, address)
 
         asyncio.run(_serve(upstream, make_page, show))

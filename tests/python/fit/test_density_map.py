@@ -150,6 +150,20 @@ def test_a_molecule_outside_of_the_map_is_refused():
     assert np.array_equal(MAP.local_correlation(far, 8.0), [0])
 
 
+def test_a_surface_holds_the_volume_that_its_level_was_chosen_for():
+    own = pliant.DensityMap.from_structure(HELICES, 8.0)
+    vertices, triangles = own.surface(own.level_around(20_000))
+    assert vertices.shape == (len(vertices), 3)
+    assert triangles.dtype == np.uint32
+    one, two, three = np.moveaxis(vertices[triangles], 1, 0)
+    volume = np.einsum("ij,ij->", one, np.cross(two, three)) / 6
+    assert volume == pytest.approx(20_000, rel=0.05)
+    with pytest.raises(pliant.OptionError, match=r"^level = 1000000: must be at most the greatest"):
+        own.surface(1e6)
+    with pytest.raises(pliant.OptionError, match=r"^volume = 0: must be above 0"):
+        own.level_around(0)
+
+
 @pytest.mark.parametrize("resolution", [0, -1, np.nan, 1e9])
 def test_no_such_resolution(resolution):
     for call in (MAP.blurred, lambda given: MAP.correlation(HELICES, given)):

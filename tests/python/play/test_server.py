@@ -10,10 +10,15 @@ import threading
 import time
 import webbrowser
 
+import numpy as np
 import pytest
 from pliant.play import command, page
 from pliant.play import server as page_server
+from pliant.play.distances import distances_for_page
 from pliant.play.server import PageServer
+from real_files import PEPTIDE
+
+import pliant
 
 BARE = b"<!doctype html><title>page</title>" + page.PLACE + b"<p>end</p>"
 
@@ -177,6 +182,34 @@ def test_a_file_is_served_until_ctrl_c(built, tmp_path, monkeypatch, capsys):
     assert command.main([str(molecule), "--no-open"]) == 0
     assert re.fullmatch(r"http://127\.0\.0\.1:\d+/[\w-]{32}/\n", capsys.readouterr().out)
     assert base64.b64decode(given_in(seen[0])["data"]) == molecule.read_bytes()
+
+
+def test_distances_are_told_by_the_names_of_the_atoms(tmp_path, capsys):
+    table = tmp_path / "d.csv"
+    rows = "A:3,A:17,20,2,,,\n4,16,,,,25,\n5,12,,,8,,\n5,15,20,2,,,MTSL\n"
+    table.write_text(f"site1,site2,distance,error,low,high,kind\n{rows}", encoding="utf-8")
+    told = distances_for_page(PEPTIDE, table)["distances"]
+    structure = pliant.read(PEPTIDE)
+    names = {structure.label(atom) for atom in np.flatnonzero(structure.names == "CA")}
+    assert [(row["low"], row["high"]) for row in told["rows"]] == [(18, 22), (0, 25), (8, None)]
+    assert {name for row in told["rows"] for name in row["names"]} <= names
+    assert told["holds"] == 1
+    assert "1 of 4 distances are of labels: not shown" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (["--distances", "d.csv"], 2, "--distances: expected FILE too"),
+        ([str(PEPTIDE), "--distances", "none.csv"], 1, "none.csv: No such file or directory"),
+        ([str(PEPTIDE), "--distances", "d.csv"], 1, "d.csv:2: site2 '99': expected one residue"),
+    ],
+)
+def test_distances_that_cannot_be_shown(words, code, said, built, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "d.csv").write_text("site1,site2,high\n3,99,20\n", encoding="utf-8")
+    assert command.main([*words, "--no-open"]) == code
+    assert capsys.readouterr().err.startswith(f"pliant play: error: {said}")
 
 
 def test_a_package_without_the_page_says_how_to_make_it(tmp_path, monkeypatch, capsys):

@@ -16,9 +16,10 @@ import pliant
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
 from pliant.report.page import html
+from pliant.report.page.map_surface import MapSurface
 from pliant.report.study.agreement import agreement_section
 from pliant.report.study.agreement_pictures import fitted_picture, residues_picture
 from pliant.report.study.command import main
@@ -124,19 +125,96 @@ def test_distances_that_do_not_hold_are_red(studied):
     assert '<tr class="off"><td>' not in html.table(("",), rows[1:])
 
 
+def pictures(*keys):
+    """Of the view, after presses of buttons: at once, so that all are as fine."""
+    return f"""{[*keys]}.map((key) => {{
+      document.querySelector(`#shown [data-key=${{key}}]`).click();
+      return document.querySelector('#view canvas').toDataURL();
+    }})"""
+
+
 @pytest.mark.skipif(chromium() is None, reason="no Chromium is installed")
 def test_the_view_shows_the_fitted_structure_over_the_start(studied, tmp_path):
-    picture = "document.querySelector('#view canvas').toDataURL()"
     pressed = "document.querySelector('#shown [aria-pressed=true]').dataset.key"
     with Page(tmp_path / "profile") as browser:
         browser.open(studied.page.as_uri())
         browser.wait_for("document.documentElement?.dataset.viewer === 'drawn'")
-        before = browser.evaluate(picture)
+        before, laid, after = browser.evaluate(pictures("frames", "overlay", "frames"))
+        assert laid != before == after
         browser.evaluate("document.querySelector('#shown [data-key=overlay]').click()")
-        assert browser.evaluate(picture) != before
         browser.evaluate("document.querySelector('#slider').oninput()")
         assert browser.evaluate(pressed) == "frames"
-        assert browser.evaluate(picture) == before
+        assert browser.errors == []
+
+
+def volume_in(surface):
+    one, two, three = np.moveaxis(surface.vertices[surface.triangles], 1, 0)
+    return np.einsum("ij,ij->", one, np.cross(two, three)) / 6
+
+
+@pytest.mark.parametrize("resolution", [3.0, 8.0, 15.0])
+def test_the_surface_of_a_map_holds_the_molecule_and_is_small(resolution):
+    closed = pliant.read(CLOSED)
+    density = pliant.DensityMap.from_structure(closed, resolution)
+    shown = MapSurface.around(density, resolution, closed)
+    assert volume_in(shown) == pytest.approx(1.21 * closed.masses.sum(), rel=0.1)
+    assert len(json.dumps(shown.drawn(np.zeros(3)))) < 300_000
+
+
+def test_the_surface_of_noise_and_of_half_a_map_is_small_too():
+    closed, draws = pliant.read(CLOSED), np.random.default_rng(1)
+    density = pliant.DensityMap.from_structure(closed, 4.0)
+    noise = draws.normal(size=density.shape) * 20 + density.values
+    noisy = pliant.DensityMap(noise, density.spacing, density.origin)
+    half = pliant.DensityMap(noise[:20], density.spacing, density.origin)
+    for one in (noisy, half):
+        shown = MapSurface.around(one, 4.0, closed)
+        assert 100 < len(shown.vertices) <= 10_000
+        assert shown.vertices.min() > density.origin.min() - 1e-6
+
+
+@pytest.fixture(scope="module")
+def in_a_map(studied):
+    """The fit as if it were of a map, too."""
+    fitted = pliant.read(studied.folder / "fitted.pdb")
+    density = pliant.DensityMap.from_structure(fitted, 8.0)
+    return replace(studied.fit, surface=MapSurface.around(density, 8.0, fitted))
+
+
+def test_in_a_map_the_structures_are_where_they_are(in_a_map):
+    overlay = in_a_map.overlay()
+    assert np.array_equal(overlay.positions[0], in_a_map.found.positions[0])
+    drawn = overlay.drawn(np.arange(0, len(in_a_map.start), 7))
+    middle = overlay.positions[0, ::7].mean(axis=0)
+    assert drawn["surface"] == in_a_map.surface.drawn(middle)
+
+
+def test_the_map_is_drawn_behind_the_fitted_structure(in_a_map, studied):
+    of_map = [
+        isinstance(one, PolyCollection) for one in fitted_picture(in_a_map).axes[0].collections
+    ]
+    assert sum(of_map) == 1
+    assert "1.21 Å³ a dalton" in agreement_section(in_a_map).pictures[0].caption
+    assert "dalton" not in agreement_section(studied.fit).pictures[0].caption
+
+
+@pytest.mark.skipif(chromium() is None, reason="no Chromium is installed")
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_the_view_shows_the_map_and_hides_it(in_a_map, studied, theme, tmp_path):
+    page = studied.page.read_text()
+    text = re.search(r'id="scene">(.*?)</script>', page)[1]
+    scene = json.loads(text)
+    about = in_a_map.found.positions[0].mean(axis=0)
+    scene["overlay"]["surface"] = in_a_map.surface.drawn(about)
+    (tmp_path / "map.html").write_text(page.replace(text, json.dumps(scene)))
+    with Page(tmp_path / "profile") as browser:
+        features = [{"name": "prefers-color-scheme", "value": theme}]
+        browser.call("Emulation.setEmulatedMedia", {"features": features})
+        browser.open((tmp_path / "map.html").as_uri())
+        browser.wait_for("document.documentElement?.dataset.viewer === 'drawn'")
+        seen = browser.evaluate(pictures("overlay", "map", "overlay", "frames"))
+        assert seen[0] == seen[2]
+        assert len(set(seen)) == 3
         assert browser.errors == []
 
 
@@ -185,8 +263,18 @@ def test_a_map_closes_it_and_is_shown_by_residue(tmp_path):
     density = pliant.DensityMap.from_structure(pliant.read(CLOSED), 8.0)
     folder = tmp_path / "out"
     found = pliant.study(
-        OPEN, output=folder, map=density, resolution=8.0, place=True, frames=20, check=False
+        OPEN,
+        output=folder,
+        map=density,
+        half=density,
+        resolution=8.0,
+        place=True,
+        frames=20,
+        check=False,
     )
+    assert found.fit.surface is not None
+    assert "<td>other half</td>" in found.page.read_text()
+    assert "both in the map" in found.page.read_text()
     assert found.answers["data"].startswith("Structure and map agree: correlation 0.9")
     assert "residues without density" in found.page.read_text()
     above, below = residues_picture(found.fit).axes

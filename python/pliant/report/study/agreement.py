@@ -15,6 +15,7 @@ from pliant.jobs.fit.in_map import MapAgreement
 from pliant.measure.stages.analysis import Analysis
 from pliant.report.page.additions import Answer
 from pliant.report.page.html import Marked
+from pliant.report.page.map_surface import VOLUME
 from pliant.report.section import Columns, Picture, Section
 from pliant.report.sections.headings import DATA
 from pliant.report.study.agreement_pictures import fitted_picture, residues_picture
@@ -112,6 +113,8 @@ def _map_table(fit: DataFit, density: MapAgreement) -> Table:
         ("unexplained", _with_units(facts["unexplained"]), "–"),
         ("residues without density", listed(names, MOST_BARE) if names else "none", "–"),
     ]
+    if density.judged is not None:
+        rows.insert(1, ("other half", f"{density.judged:.2f}", f"{density.judged_at_start:.2f}"))
     title = f"The map, at {density.resolution:g} Å: correlations are about the means, near to atoms"
     return Table(title, ("", "fitted", "START"), rows)
 
@@ -132,10 +135,15 @@ def _caption(fit: DataFit) -> str:
         if fit.pairs.size
         else ""
     )
+    surface = (
+        ""
+        if fit.surface is None
+        else f" The map is shown where it holds the volume of the molecule, {VOLUME} Å³ a dalton."
+    )
     return (
         "The fitted structure in colour over START in grey, superposed by its largest piece "
         "(blue); other colours are pieces that turned against it, dots are hinge residues."
-        f"{lines} The bar is 10 Å. The 3-D view has both."
+        f"{lines}{surface} The bar is 10 Å. The 3-D view has all of it."
     )
 
 

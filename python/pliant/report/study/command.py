@@ -72,6 +72,7 @@ def make_parser() -> console.Parser:
     add("--distances", metavar="FILE", help="measured distances (CSV), as pliant fit takes them")
     add("--map", metavar="FILE", help="density map (MRC, CCP4) to fit FILE to")
     add("--resolution", metavar="A", type=float, help="of the map, Angstrom")
+    add("--half", metavar="FILE", help="other half map, to judge the fit by")
     add("--place", action="store_true", help="put FILE into the map first")
     add("--demo", action="store_true", help="instead of FILE: a helix that comes with Pliant")
     text = "frames of the ensemble (default: as pliant sample)"
@@ -110,6 +111,7 @@ def _study(arguments: argparse.Namespace) -> int:
             distances=arguments.distances,
             map=arguments.map,
             resolution=arguments.resolution,
+            half=arguments.half,
             place=arguments.place,
             smiles=arguments.smiles,
             frames=arguments.frames,

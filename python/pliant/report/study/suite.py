@@ -36,6 +36,7 @@ def study(
     distances: str | os.PathLike[str] | Sequence[Mapping[str, Any]] | None = None,
     map: str | os.PathLike[str] | DensityMap | None = None,
     resolution: float | None = None,
+    half: str | os.PathLike[str] | DensityMap | None = None,
     place: bool = False,
     smiles: str | None = None,
     frames: int | None = None,
@@ -59,7 +60,7 @@ def study(
         Another structure of the same molecule, PDB or mmCIF: a path to it is found as well.
     output : str or path, optional
         Folder for the results. Default: the file's name with ``-study``, in the current folder.
-    distances, map, resolution, place
+    distances, map, resolution, half, place
         Data as ``fit`` takes them: the page says whether the molecule agrees with them, and the
         fitted structure is written.
     smiles : str, optional
@@ -98,7 +99,7 @@ def study(
     folder = Path(output) if output is not None else Path(f"{_stem(file)}-study")
     _check_output(folder, overwrite)
     with noted() as guessed:
-        data = {"density": map, "resolution": resolution, "place": place}
+        data = {"density": map, "resolution": resolution, "half": half, "place": place}
         fit = _fit_task(file, {"distances": distances, **data}, seed, asked)
         if file is None:
             file = _embedded(str(smiles), folder, seed)
@@ -205,4 +206,4 @@ def _fit_task(
     if file is None:
         raise OptionError("distances, map: need FILE, a protein or nucleic acid")
     _refuse_other_than_of_path(asked, "data: pliant fit")
-    return FitTask.of(file, half=None, seed=seed, options=PathOptions(**asked), **data)
+    return FitTask.of(file, seed=seed, options=PathOptions(**asked), **data)
