@@ -197,6 +197,15 @@ def test_distances_are_told_by_the_names_of_the_atoms(tmp_path, capsys):
     assert "1 of 4 distances are of labels: not shown" in capsys.readouterr().err
 
 
+def test_distances_go_with_a_run_too(tmp_path, monkeypatch):
+    table, told = tmp_path / "d.csv", []
+    table.write_text("site1,site2,high\n3,17,20\n", encoding="utf-8")
+    monkeypatch.setattr(command, "connect", lambda *given: told.append(given) or 0)
+    words = ["--connect", ":8888", str(PEPTIDE), "--distances", str(table)]
+    assert command.main(words) == 0
+    assert told[0][-1] == distances_for_page(PEPTIDE, table)
+
+
 @pytest.mark.parametrize(
     ("words", "code", "said"),
     [

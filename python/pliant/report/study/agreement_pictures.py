@@ -47,8 +47,9 @@ def draw_surface(axes: Axes, surface: MapSurface) -> None:
     shown = shown[np.argsort(corners[shown, :, 2].mean(axis=1), kind="stable")]
     share = 0.12 + 0.55 * np.round(SHADES * (1.0 - facing[shown, None]) ** 2) / SHADES
     colours = 1.0 - share * (1.0 - np.array(to_rgb(style.GREY)))
-    flat = {"edgecolors": "face", "linewidths": 0.3, "zorder": 0}
-    axes.add_collection(PolyCollection(corners[shown, :, :2], facecolors=colours, **flat))
+    flat = PolyCollection(corners[shown, :, :2], facecolors=colours, linewidths=0.3, zorder=0)
+    flat.set_edgecolor("face")
+    axes.add_collection(flat)
 
 
 def residues_picture(fit: DataFit) -> Figure:
