@@ -13,6 +13,7 @@ import {FitBar} from './panel/fit_bar.mjs';
 import {Forces} from './panel/forces.mjs';
 import {Keys} from './panel/keys.mjs';
 import {Look} from './panel/look.mjs';
+import {MapShown} from './panel/map.mjs';
 import {Measure} from './panel/measure.mjs';
 import {Open} from './panel/open.mjs';
 import {Path} from './panel/path.mjs';
@@ -68,6 +69,7 @@ function makeParts() {
   parts.labels = new Labels(view, $('labels'));
   parts.measure = new Measure(parts);
   parts.distances = new Distances(parts);
+  parts.map = new MapShown(parts);
   parts.select = new Select(parts);
   parts.plots = new Plots(stage);
   parts.why = new Why(parts);
@@ -145,7 +147,7 @@ function loop(parts) {
 async function given(parts) {
   const block = $('given');
   if (!block) return false;
-  const {name, data, gone, model, live, isInside, known, session, distances} = JSON.parse(block.textContent);
+  const {name, data, gone, model, live, isInside, known, session, distances, map} = JSON.parse(block.textContent);
   if (gone) throw new Error(`${name} was handed out once. Call pliant play again, or drop the file here.`);
   const bytes = fromBase64(data);
   if (isInside) parts.host = new Host(parts);
@@ -155,6 +157,7 @@ async function given(parts) {
   }
   await parts.open.openBytes(name, bytes, model, known);
   if (distances) parts.distances.set(distances);
+  if (map) parts.map.set(map);
   if (live) await new Live(parts).start(live);
   return true;
 }

@@ -31,7 +31,8 @@ rest.
 
 With --distances (CSV, as pliant fit takes it) lines join the alpha carbons of each measured
 distance: blue where it holds within 1 A, red where it is off. How many hold, and how far off all
-are (r.m.s.), is shown while you drag.
+are (r.m.s.), is shown while you drag. With --map its surface is shown, where it holds the volume of
+the molecule, and how many residues are inside.
 
 With --connect the page shows a live run (pliant run --imd): its atoms as they move, its residual
 (how far the worst bar is off) and sweeps; a drag pulls on the atoms of the run. FILE is the
@@ -47,6 +48,7 @@ examples:
   pliant play caffeine.sdf --no-open
   pliant play ensemble.h5md
   pliant play open.pdb --distances measured.csv
+  pliant play open.pdb --map map.mrc --resolution 8
   pliant run protein.pdb --steps 1000000 --imd &
   pliant play --connect localhost:8888 protein.pdb
 """
@@ -73,6 +75,8 @@ def make_parser() -> console.Parser:
         help="show a live run (pliant run --imd) and pull on it;\n:PORT alone means this machine",
     )
     add("--distances", metavar="CSV", help="show measured distances, and which of them hold")
+    add("--map", metavar="FILE", help="show a density map (MRC, CCP4) that FILE is in")
+    add("--resolution", metavar="A", type=float, help="of the map, Angstrom")
     add("--no-open", action="store_true", help="print the address of the page, open no browser")
     return parser
 
@@ -87,14 +91,15 @@ def _play(arguments: argparse.Namespace) -> int:
     if arguments.connect:
         return _connect(arguments)
     file = page.page_file()
-    if arguments.file is None and arguments.distances is not None:
-        raise OptionError("--distances: expected FILE too")
+    has_data = arguments.distances is not None or arguments.map is not None
+    if arguments.file is None and has_data:
+        raise OptionError("--distances, --map: expected FILE too")
     if arguments.file is None:
         _show(file.as_uri(), arguments.no_open)
         return console.EXIT_OK
     given, bare = Path(arguments.file), file.read_bytes()
     name = console.printable(given.name)
-    data, facts = _read(given, arguments.structure, arguments.distances)
+    data, facts = _read(given, arguments)
     full = page.with_file(bare, name, data, **facts)
     with PageServer(full, page.without_file(bare, name)) as server:
         _show(server.address, arguments.no_open)
@@ -102,18 +107,17 @@ def _play(arguments: argparse.Namespace) -> int:
     return console.EXIT_OK
 
 
-def _read(
-    given: Path, structure: str | None, distances: str | None
-) -> tuple[bytes, dict[str, Any]]:
-    """The file, and what else a page is told of it: distances; domains and shapes of frames."""
+def _read(given: Path, arguments: argparse.Namespace) -> tuple[bytes, dict[str, Any]]:
+    """The file, and what else a page is told of it: data; domains and shapes of frames."""
     from pliant.play.ensemble.many_frames import is_many_frames
 
+    structure = arguments.structure
     if not is_many_frames(given):
         if structure is not None:
             raise OptionError("STRUCTURE: goes with an ensemble in H5MD, which FILE is not")
-        return page.read_given(given), _distances(given, distances)
-    if distances is not None:
-        raise OptionError("--distances: goes with a structure, and FILE has many frames")
+        return page.read_given(given), _measured(given, arguments)
+    if arguments.distances is not None or arguments.map is not None:
+        raise OptionError("--distances, --map: go with a structure, and FILE has many frames")
     from pliant.play.ensemble.facts import ensemble_for_page
 
     console.note("looking for domains and shapes in the frames")
@@ -121,19 +125,20 @@ def _read(
     return found.data, {"known": {"ensemble": found.facts}}
 
 
-def _distances(given: Path, table: str | None) -> dict[str, Any]:
-    if table is None:
+def _measured(given: Path, arguments: argparse.Namespace) -> dict[str, Any]:
+    data = (arguments.distances, arguments.map, arguments.resolution)
+    if data == (None, None, None):
         return {}
-    from pliant.play.distances import distances_for_page
+    from pliant.play.measured import measured_for_page
 
-    return distances_for_page(given, table)
+    return measured_for_page(given, *data)
 
 
 def _connect(arguments: argparse.Namespace) -> int:
     if arguments.file is None:
         raise OptionError("--connect: expected FILE too, the one that the run reads")
     (host, port), given = arguments.connect, Path(arguments.file)
-    facts = _distances(given, arguments.distances)
+    facts = _measured(given, arguments)
     return connect(host, port, given, lambda at: _show(at, arguments.no_open), facts)
 
 

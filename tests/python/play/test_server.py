@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from pliant.play import command, page
 from pliant.play import server as page_server
-from pliant.play.distances import distances_for_page
+from pliant.play.measured import measured_for_page
 from pliant.play.server import PageServer
 from real_files import PEPTIDE
 
@@ -188,7 +188,7 @@ def test_distances_are_told_by_the_names_of_the_atoms(tmp_path, capsys):
     table = tmp_path / "d.csv"
     rows = "A:3,A:17,20,2,,,\n4,16,,,,25,\n5,12,,,8,,\n5,15,20,2,,,MTSL\n"
     table.write_text(f"site1,site2,distance,error,low,high,kind\n{rows}", encoding="utf-8")
-    told = distances_for_page(PEPTIDE, table)["distances"]
+    told = measured_for_page(PEPTIDE, table, None, None)["distances"]
     structure = pliant.read(PEPTIDE)
     names = {structure.label(atom) for atom in np.flatnonzero(structure.names == "CA")}
     assert [(row["low"], row["high"]) for row in told["rows"]] == [(18, 22), (0, 25), (8, None)]
@@ -197,19 +197,33 @@ def test_distances_are_told_by_the_names_of_the_atoms(tmp_path, capsys):
     assert "1 of 4 distances are of labels: not shown" in capsys.readouterr().err
 
 
+def test_a_map_is_told_by_its_surface_and_the_points_inside(tmp_path):
+    peptide = pliant.read(PEPTIDE)
+    density = pliant.DensityMap.from_structure(peptide, 6.0)
+    density.save(tmp_path / "m.mrc")
+    told = measured_for_page(PEPTIDE, None, str(tmp_path / "m.mrc"), 6.0)["map"]
+    inside = np.frombuffer(base64.b64decode(told["inside"]), np.uint8)
+    volume = inside.sum() * told["spacing"] ** 3
+    assert volume == pytest.approx(1.21 * peptide.masses.sum(), rel=0.05)
+    corners = np.frombuffer(base64.b64decode(told["positions"]), "<i2").reshape(-1, 3)
+    assert np.allclose(corners.mean(axis=0) * told["step"], peptide.positions.mean(axis=0), atol=1)
+
+
 def test_distances_go_with_a_run_too(tmp_path, monkeypatch):
     table, told = tmp_path / "d.csv", []
     table.write_text("site1,site2,high\n3,17,20\n", encoding="utf-8")
     monkeypatch.setattr(command, "connect", lambda *given: told.append(given) or 0)
     words = ["--connect", ":8888", str(PEPTIDE), "--distances", str(table)]
     assert command.main(words) == 0
-    assert told[0][-1] == distances_for_page(PEPTIDE, table)
+    assert told[0][-1] == measured_for_page(PEPTIDE, str(table), None, None)
 
 
 @pytest.mark.parametrize(
     ("words", "code", "said"),
     [
-        (["--distances", "d.csv"], 2, "--distances: expected FILE too"),
+        (["--distances", "d.csv"], 2, "--distances, --map: expected FILE too"),
+        ([str(PEPTIDE), "--resolution", "8"], 2, "resolution: of a map, and none is given"),
+        ([str(PEPTIDE), "--map", "none.mrc"], 2, "resolution: a map needs it"),
         ([str(PEPTIDE), "--distances", "none.csv"], 1, "none.csv: No such file or directory"),
         ([str(PEPTIDE), "--distances", "d.csv"], 1, "d.csv:2: site2 '99': expected one residue"),
     ],

@@ -26,6 +26,8 @@ class MapSurface:
 
     vertices: np.ndarray  #: (V, 3) Angstrom
     triangles: np.ndarray  #: (T, 3) of vertices
+    coarse: DensityMap | None = None  #: what it is the surface of
+    level: float = 0.0
 
     @classmethod
     def around(cls, density: DensityMap, resolution: float, molecule: Structure) -> MapSurface:
@@ -38,7 +40,7 @@ class MapSurface:
             level = coarse.level_around(min(VOLUME * float(molecule.masses.sum()), whole))
             vertices, triangles = coarse.surface(level)
             if len(vertices) <= MOST_VERTICES:
-                return cls(vertices, triangles)
+                return cls(vertices, triangles, coarse, level)
             step *= max(1.1, float(np.sqrt(len(vertices) / MOST_VERTICES)))
 
     def drawn(self, about: np.ndarray) -> dict[str, Any]:
