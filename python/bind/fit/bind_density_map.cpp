@@ -228,6 +228,8 @@ void bind_grid(nb::class_<DensityMap>& bound) {
 }  // namespace
 
 void bind_density_map(nb::module_& module) {
+  module.def("check_resolution", &check_resolution, "resolution"_a,
+             "Raises OptionError unless maps may have that resolution (Angstrom).");
   nb::class_<DensityMap> bound(module, "DensityMap", map_doc);
   bound
       .def(

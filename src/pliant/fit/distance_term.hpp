@@ -15,6 +15,9 @@ namespace pliant {
 struct FitDistance {
   std::uint32_t a = 0, b = 0;                                        ///< indices of sites
   double low = 0.0, high = std::numeric_limits<double>::infinity();  ///< Angstrom
+  /// So many of the next ones say of which other sites it may be: the interval is that of
+  /// (sum of r^-6)^(-1/6), as of an ambiguous NOE (M. Nilges, Proteins 17 (1993) 297).
+  std::uint32_t more = 0;
 };
 
 /// How far a distance is outside of its interval: above 0 where it is too long (Angstrom).
@@ -31,6 +34,9 @@ class DistanceTerm : public FitTerm {
   double add(std::span<const Vec3> nodes, std::span<Vec3> gradient) const override;
 
  private:
+  double add_one(std::span<const FitDistance> same, std::span<const Vec3> places,
+                 std::span<Vec3> slopes) const;
+
   std::span<const FitDistance> data_;
   const ResidueSites& sites_;
   double weight_ = 0.0;

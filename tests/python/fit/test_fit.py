@@ -152,7 +152,11 @@ def test_a_bad_row_is_one_line(tmp_path, capsys, name):
     ("fields", "row", "expected"),
     [
         (("site1", "site2", "low", "high"), (30, 60, 20, 10), ":2: low: expected at most high, 10"),
-        (("site1", "site2", "kind"), (30, 60, "DSX"), ":2: kind: expected one of CA, DSS"),
+        (
+            ("site1", "site2", "kind"),
+            (30, 60, "DSX"),
+            ":2: kind: expected one of CA, atom, NOE, DSS",
+        ),
         (("site1", "site2", "lo"), (30, 60, 1), ":2: unknown field 'lo'"),
         (("a", "b"), (30, 60), ":1: expected a header with site1, site2"),
     ],

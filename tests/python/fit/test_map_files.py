@@ -4,7 +4,7 @@
 import gzip
 import re
 import struct
-from itertools import permutations
+from itertools import permutations, product
 from pathlib import Path
 
 import gemmi
@@ -179,3 +179,33 @@ def test_maps_of_crystals_and_microscopes_are_where_others_have_them():
     other = gemmi.read_ccp4_map(str(tests / "ispg_0.mrc"), setup=True)
     assert np.array_equal(density.values, np.array(other.grid))
     assert density.spacing == pytest.approx(np.full(3, 3.0))
+
+
+@pytest.mark.long
+@pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
+def test_atoms_of_a_crystal_are_in_its_density():
+    """A skew cell, the map of a part of it, and the structure (5I55), of gemmi's tests."""
+    tests = Path(__file__).parents[3] / "build" / "public_files" / "gemmi" / "tests"
+    if not (tests / "5i55_tiny.ccp4").exists():
+        pytest.skip("no files of gemmi here: tests/support/public/fetch_public_files.sh")
+    density = pliant.DensityMap.read(tests / "5i55_tiny.ccp4")
+    other = gemmi.read_ccp4_map(str(tests / "5i55_tiny.ccp4"), setup=True).grid
+    cell, copies = other.unit_cell, other.spacegroup.operations()
+    found = {}
+    for atom, place in zip(*named_places(tests / "5i55.cif"), strict=True):
+        inside = cell.fractionalize(gemmi.Position(*place))
+        for copy, *shift in product(copies, *[range(-3, 4)] * 3):
+            there = gemmi.Fractional(*np.add(copy.apply_to_xyz(inside.tolist()), shift))
+            point = cell.orthogonalize(there).tolist()
+            values, _, outside = density.at(np.array([point]))
+            if not outside:
+                assert values[0] == pytest.approx(other.interpolate_value(gemmi.Position(*point)))
+                found[atom] = values[0]
+    assert set(found) == {"ASP CA", "ASP C", "ASP CB", "LEU N", "LEU CA"}
+    assert min(found.values()) > density.values.mean() + density.values.std()
+
+
+def named_places(path):
+    structure = pliant.read(path)
+    names = [f"{a} {b}" for a, b in zip(structure.residue_names, structure.names, strict=True)]
+    return names, structure.positions

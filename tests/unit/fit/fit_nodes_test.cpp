@@ -57,6 +57,25 @@ TEST(FitTerms, HaveTheGradientsOfTheirValues) {
   DistanceTerm labelled(data, labels);
   labelled.begin(2, nodes.positions);
   expect_gradient(labelled, shaken(nodes.positions));
+  const std::vector<FitDistance> any{{.a = 0, .b = 20, .low = 2, .high = 4, .more = 2},
+                                     {.a = 1, .b = 19},
+                                     {.a = 2, .b = 12},
+                                     {.a = 3, .b = 15, .low = 2, .high = 4}};
+  DistanceTerm ambiguous(any, labels);
+  ambiguous.begin(2, nodes.positions);
+  expect_gradient(ambiguous, shaken(nodes.positions));
+}
+
+/// Two pairs, 8 and 8 Angstrom apart, count as 8 / 2^(1/6).
+TEST(DistanceTerm, TakesWhatItMayBeOfByTheSixthPower) {
+  const FitNodes nodes{.positions = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, .chain = {0, 1, 2}};
+  const ResidueSites sites = all_sites(nodes);
+  const std::vector<FitDistance> data{{.a = 0, .b = 1, .high = 4, .more = 1}, {.a = 0, .b = 2}};
+  DistanceTerm term(data, sites);
+  term.begin(1, nodes.positions);
+  std::vector<Vec3> unused(3);
+  const double off = 8.0 / std::pow(2.0, 1.0 / 6.0) - 4.0;
+  EXPECT_NEAR(term.add(nodes.positions, unused), off * off, 1e-12);
 }
 
 TEST(SpringTerm, IsAtRestAtTheStart) {

@@ -25,12 +25,14 @@ tell."""
 
 EPILOG = """\
 The table (CSV) has a header and a row for each distance, in Angstrom between alpha carbons (P of
-nucleotides) or labels. Labels of FRET are some 5 to 15 A away from them: give a wide interval.
+nucleotides), labels or atoms.
 
-  site1,site2   residues: A:45, 45, or a selection of one residue
+  site1,site2   residues: A:45, 45, or a selection of one residue; of atoms: selections
   distance,error   or low,high: the interval in which it lies; high alone is an upper limit
-  kind   CA (the default), or a cross-link: DSS, BS3, DSSO (up to 30 A), EDC (20); or MTSL: between
-         spin labels of DEER, as 4.1 A beyond alpha carbons: add 5 A to the error for that
+  kind   CA (the default); cross-links: DSS, BS3, DSSO, DSBU (up to 30 A), SDA (25), EDC (20);
+         MTSL: between spin labels of DEER, as 4.1 A beyond alpha carbons: add 5 A to the error;
+         FRET: between mean positions of dyes, by their accessible volumes;
+         atom: of two atoms; NOE: of hydrogens, of several residues if need be, (sum of r^-6)^(-1/6)
 
 Each distance is also predicted by fits to the others. One that they put 5 A or more outside of its
 interval, and without which START has to change much less, is let go and named. The spread by

@@ -3,29 +3,29 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import dataclasses
+import itertools
 import math
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
-from pliant._core import Error, InputError, Structure, outward_places, select_atoms
+from pliant._core import Error, InputError, Structure, select_atoms
+from pliant.jobs.fit.atom_sites import ATOM_KINDS, AtomSite
+from pliant.jobs.fit.labels import DYES, LABELS, REAGENTS, Labels
 
-#: longest distance between alpha carbons that a reagent spans, Angstrom
-REAGENTS = {"DSS": 30.0, "BS3": 30.0, "DSSO": 30.0, "EDC": 20.0}
-#: how far a label's mean position is from the alpha carbon, towards the beta carbon, Angstrom:
-#: of rotamers of MTSL (chiLife's R1M, 70 sites of three proteins; where a label is differs from
-#: that by 3.7 Angstrom along any line)
-LABELS = {"MTSL": 4.1}
-KINDS = ("CA", *REAGENTS, *LABELS)
+KINDS = ("CA", "atom", "NOE", *REAGENTS, *LABELS, *DYES)
+Found = TypeVar("Found")
 NO_LABEL = np.zeros((2, 3))
 
-COLUMNS = ("site1", "site2", "distance", "error", "low", "high", "kind")
+ENDS = ("site1", "site2")
+COLUMNS = (*ENDS, "distance", "error", "low", "high", "kind")
 RESIDUE = re.compile(r"(?:([^\s:]+):)?(-?\d+)$")  #: "A:45", "45"
 NANOMETRES = 8.0  #: in a table in nm no distance is above this; in one in Angstrom some are
 
@@ -38,8 +38,22 @@ class Datum:
     pair: tuple[int, int]  #: nodes
     low: float  #: Angstrom
     high: float  #: infinite where nothing is known
-    #: (2, 3) places of labels by the frames of the nodes, see ``outward_places``
+    #: (2, 3) of labels, as ``places`` takes them
     local: np.ndarray = dataclasses.field(default_factory=lambda: NO_LABEL)
+    kind: str = "CA"  #: one of KINDS, in capitals
+    #: of the kinds atom and NOE: atoms of the structure, whose distance tells whether it holds
+    atoms: tuple[np.ndarray, np.ndarray] | None = None
+    slack: float = 0.0  #: by which the distance of nodes and `local` may be outside for all that
+    #: nodes and places of which it may be instead, as of an ambiguous NOE
+    others: tuple[tuple[tuple[int, int], np.ndarray], ...] = ()
+
+    @property
+    def loosely(self) -> tuple[float, float]:
+        """The interval of nodes and `local`, Angstrom: one pair of atoms is as near as
+        (sum of r^-6)^(-1/6) x (the number of pairs)^(1/6), or nearer."""
+        pairs = 1 if self.atoms is None else len(self.atoms[0]) * len(self.atoms[1])
+        low = max(0.0, self.low - self.slack) / (1 + len(self.others)) ** (1 / 6)
+        return low, self.high * pairs ** (1 / 6) + self.slack
 
 
 class Sites:
@@ -47,10 +61,8 @@ class Sites:
 
     def __init__(self, structure: Structure, atoms: np.ndarray) -> None:
         self.structure = structure
-        residues = np.asarray(structure.residue_of)
-        self._node = {int(residues[atom]): k for k, atom in enumerate(atoms)}
         chains = [str(structure.chains[atom]) for atom in atoms]
-        self.outward = outward_places(structure)
+        self.beside = Labels(structure, atoms)
         self.labels = [
             f"{chain}:{int(structure.residue_ids[atom])}"
             if chain
@@ -68,7 +80,8 @@ class Sites:
         except Error as error:
             raise InputError(str(error)) from None
         residues = np.asarray(self.structure.residue_of)[atoms]
-        nodes = sorted({self._node[int(r)] for r in residues if int(r) in self._node})
+        of = self.beside.node_of
+        nodes = sorted({of[int(r)] for r in residues if int(r) in of})
         if len(nodes) != 1:
             found = f"{len(nodes)} ({', '.join(self.labels[k] for k in nodes[:3])}, ...)"
             raise InputError(
@@ -102,11 +115,15 @@ class _Row:
             raise self.wrong(field, "a number of Angstrom above 0")
         return value
 
+    def kind(self) -> str:
+        kind = self.text("kind").upper() or "CA"
+        if kind not in map(str.upper, KINDS):
+            raise self.wrong("kind", f"one of {', '.join(KINDS)}")
+        return kind
+
     def interval(self) -> tuple[float, float]:
         """From distance and error, else from low and high, else from the reagent."""
-        kind = self.text("kind").upper() or "CA"
-        if kind not in KINDS:
-            raise self.wrong("kind", f"one of {', '.join(KINDS)}")
+        kind = self.kind()
         if self.text("distance"):
             middle, error = self.number("distance"), self.number("error")
             return max(0.0, middle - error), middle + error
@@ -125,23 +142,49 @@ class _Row:
 
     def datum(self, sites: Sites) -> Datum:
         """Raises InputError, which names the field."""
-        ends = []
-        for field in ("site1", "site2"):
-            try:
-                ends.append(sites.find(self.text(field)))
-            except InputError as error:
-                raise InputError(f"{self.where}: {field} '{self.text(field)}': {error}") from None
-        if ends[0] == ends[1]:
-            raise self.wrong("site2", f"another residue than site1, {sites.labels[ends[0]]}")
-        name = f"{sites.labels[ends[0]]} - {sites.labels[ends[1]]}"
-        return Datum(name, (ends[0], ends[1]), *self.interval(), self._places(sites, ends))
+        if self.kind() in ATOM_KINDS:
+            return self._of_atoms(sites)
+        ends = [self._site(field, sites.find) for field in ENDS]
+        name, interval = self._name(sites, *ends), self.interval()
+        return Datum(name, (ends[0], ends[1]), *interval, self._places(sites, ends), self.kind())
+
+    def _of_atoms(self, sites: Sites) -> Datum:
+        kind, beside = self.kind(), sites.beside
+        one, other = (
+            self._site(field, lambda text: AtomSite.of(text, kind, beside)) for field in ENDS
+        )
+        pairs = list(itertools.product(one.places, other.places))
+        names = [self._name(sites, a.node, b.node) for a, b in pairs]
+        first, *others = (((a.node, b.node), np.array([a.local, b.local])) for a, b in pairs)
+        return Datum(
+            " or ".join(names),
+            first[0],
+            *self.interval(),
+            first[1],
+            kind,
+            (one.atoms, other.atoms),
+            max(a.slack + b.slack for a, b in pairs),
+            tuple(others),
+        )
+
+    def _site(self, field: str, find: Callable[[str], Found]) -> Found:
+        try:
+            return find(self.text(field))
+        except InputError as error:
+            raise InputError(f"{self.where}: {field} '{self.text(field)}': {error}") from None
+
+    def _name(self, sites: Sites, one: int, other: int) -> str:
+        if one == other:
+            raise self.wrong("site2", f"another residue than site1, {sites.labels[one]}")
+        return f"{sites.labels[one]} - {sites.labels[other]}"
 
     def _places(self, sites: Sites, ends: Sequence[int]) -> np.ndarray:
-        length = LABELS.get(self.text("kind").upper(), 0.0)
-        local = length * sites.outward[list(ends)]
-        for field, place in zip(("site1", "site2"), local, strict=True):
-            if length and not place.any():
-                raise self.wrong(field, "an amino acid that is not the end of a chain, for a label")
+        local = NO_LABEL.copy()
+        for k, field in enumerate(ENDS):
+            try:
+                local[k] = sites.beside.place(self.kind(), ends[k])
+            except InputError as error:
+                raise self.wrong(field, str(error)) from None
         return np.asarray(local)
 
 
@@ -189,6 +232,18 @@ def _checked(row: _Row, fields: Any) -> _Row:
         if field not in COLUMNS:
             raise InputError(f"{row.where}: unknown field '{field}'; known: {', '.join(COLUMNS)}")
     return row
+
+
+def with_dyes_in(data: Sequence[Datum], beside: Labels) -> list[Datum]:
+    """Dyes where they are in another structure; as they are where that leaves no room."""
+    found = []
+    for one in data:
+        with contextlib.suppress(InputError):
+            if one.kind in DYES:
+                local = np.array([beside.place(one.kind, node) for node in one.pair])
+                one = dataclasses.replace(one, local=local)
+        found.append(one)
+    return found
 
 
 def in_nanometres(data: Sequence[Datum], nodes: np.ndarray) -> bool:

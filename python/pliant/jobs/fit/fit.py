@@ -50,8 +50,9 @@ def fit(
     distances : str, path or sequence of dicts, optional
         CSV with a header, or the same fields: site1, site2 (residues: "A:45", "45" or a selection),
         and distance with error, or low and high, in Angstrom between alpha carbons; kind: CA (the
-        default), the reagent of a cross-link, DSS, BS3, DSSO (up to 30) or EDC (20), or MTSL,
-        between spin labels.
+        default), the reagent of a cross-link, DSS, BS3, DSSO, DSBU (up to 30), SDA (25) or EDC
+        (20), MTSL, between spin labels, FRET, between mean positions of dyes, or atom or NOE,
+        whose sites are selections of one atom or of hydrogens.
     map : str, path or DensityMap, optional
         MRC or CCP4, into which `start` has been put, as by ChimeraX' fitmap. The result is there,
         too.

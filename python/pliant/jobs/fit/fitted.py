@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,9 +11,10 @@ import numpy as np
 
 from pliant._core import MolecularModel, Structure
 from pliant.base.display import Displayed, Facts
+from pliant.jobs.fit.atom_sites import atom_distance
 from pliant.jobs.fit.data import Datum
 from pliant.jobs.fit.in_map import MapAgreement
-from pliant.jobs.fit.nodes import LeftOut, distances, violations
+from pliant.jobs.fit.nodes import LeftOut, distances, outside
 from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.trajectory import HasFrames, Trajectory
 
@@ -167,26 +169,34 @@ class FittedStructure(HasFrames, Displayed):
         }
 
 
+def measured(data: Sequence[Datum], positions: np.ndarray, atoms: np.ndarray) -> np.ndarray:
+    """(K,) distances in a structure (N, 3), with nodes at some of its atoms (M); Angstrom."""
+    found = distances(positions[atoms], data)
+    for k, one in enumerate(data):
+        if one.atoms is not None:
+            found[k] = atom_distance(positions, *one.atoms)
+    return found
+
+
 def agreement_of(
-    data: list[Datum],
-    start: np.ndarray,
+    data: Sequence[Datum],
+    at_start: np.ndarray,
     found: np.ndarray,
     contradicting: list[int],
     left_out: dict[int, LeftOut],
 ) -> list[Agreement]:
-    """Of nodes (M, 3) of the start and of the best structure."""
-    off = violations(found, data)
-    here, there = distances(start, data), distances(found, data)
+    """Of distances (K,) in the start and in the best structure."""
+    off = outside(found, [(one.low, one.high) for one in data])
     return [
         Agreement(
             one.name,
             one.low,
             one.high,
-            float(here[k]),
-            float(there[k]),
+            float(at_start[k]),
+            float(found[k]),
             float(off[k]),
             k in contradicting,
-            left_out[k].predicted if k in left_out else None,
+            left_out[k].predicted if k in left_out and one.atoms is None else None,
         )
         for k, one in enumerate(data)
     ]

@@ -11,7 +11,15 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from pliant._core import DensityData, DensityMap, InputError, OptionError, PliantWarning, Structure
+from pliant._core import (
+    DensityData,
+    DensityMap,
+    InputError,
+    OptionError,
+    PliantWarning,
+    Structure,
+    check_resolution,
+)
 from pliant.base.display import Facts
 from pliant.jobs.fit import nodes as at_nodes
 from pliant.trajectory.superposition import rotations
@@ -79,7 +87,7 @@ def read_map(density: Given, resolution: float | None, half: Given | None) -> Ma
     """Raises OptionError without a resolution in range, InputError for a file that is no map."""
     if resolution is None:
         raise OptionError("resolution: a map needs it, in Angstrom; a header does not say it")
-    DensityMap.from_structure(Structure(np.zeros((1, 3)), elements=[6]), resolution)  # or refused
+    check_resolution(resolution)
     found = MapData(_read(density), resolution, None if half is None else _read(half))
     spacing = float(found.density.spacing.max())
     if spacing > COARSEST * resolution:

@@ -11,6 +11,7 @@ import numpy as np
 
 from pliant._core import DensityData, PlausibleShapes, fit_nodes
 from pliant.jobs.fit.data import Datum
+from pliant.jobs.fit.labels import places
 from pliant.trajectory.superposition import rmsd_to, superpose_onto
 
 STARTS = 40  #: frames that are fitted
@@ -94,35 +95,35 @@ class NodeFits:
 
 def violations(nodes: np.ndarray, data: Sequence[Datum]) -> np.ndarray:
     """(..., K) how far distances of nodes (..., M, 3) are outside of their intervals, Angstrom."""
-    found = distances(nodes, data)
-    low, high = np.array([d.low for d in data]), np.array([d.high for d in data])
+    return outside(distances(nodes, data), [datum.loosely for datum in data])
+
+
+def outside(found: np.ndarray, intervals: Sequence[tuple[float, float]]) -> np.ndarray:
+    """(..., K) how far distances (..., K) are outside of intervals, above 0 where too long."""
+    low, high = np.array(intervals).reshape(-1, 2).T
     return np.asarray(np.where(found > high, found - high, np.minimum(0.0, found - low)))
 
 
 def distances(nodes: np.ndarray, data: Sequence[Datum]) -> np.ndarray:
-    """(..., K) Angstrom, of nodes or labels."""
-    pairs, local = _pairs(data), _local(data)
-    ends = [_places(nodes, pairs[:, k], local[:, k]) for k in (0, 1)]
-    return np.asarray(np.linalg.norm(ends[0] - ends[1], axis=-1))
+    """(..., K) Angstrom, of nodes or labels; (sum of r^-6)^(-1/6) of all that it may be of."""
+    pairs, local, more = _places(data)
+    ends = [places(nodes, pairs[:, k], local[:, k]) for k in (0, 1)]
+    found = np.asarray(np.linalg.norm(ends[0] - ends[1], axis=-1))
+    if not more.any():
+        return found
+    firsts = np.concatenate([[0], np.cumsum([1 + len(one.others) for one in data])[:-1]])
+    summed = np.add.reduceat(found**-6.0, firsts, axis=-1) ** (-1 / 6)
+    return np.where(more[firsts] > 0, summed, found[..., firsts])
 
 
-def _pairs(data: Sequence[Datum]) -> np.ndarray:
-    return np.array([datum.pair for datum in data], dtype=np.int64).reshape(-1, 2)
-
-
-def _local(data: Sequence[Datum]) -> np.ndarray:
-    return np.array([datum.local for datum in data]).reshape(-1, 2, 3)
-
-
-def _places(nodes: np.ndarray, at: np.ndarray, local: np.ndarray) -> np.ndarray:
-    """(..., K, 3) of nodes (..., M, 3), at places (K, 3) as ``outward_places`` gives them."""
-    here = nodes[..., at, :]
-    if not local.any():
-        return np.asarray(here)
-    u = nodes[..., np.minimum(at + 1, nodes.shape[-2] - 1), :] - here
-    v = nodes[..., np.maximum(at - 1, 0), :] - here
-    a, b, c = local.T[:, :, None]
-    return np.asarray(here + a * u + b * v + c * np.cross(u, v))
+def _places(data: Sequence[Datum]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(P, 2) nodes, (P, 2, 3) places beside them, and (P) how many after each are of the same
+    datum."""
+    every = [part for one in data for part in ((one.pair, one.local), *one.others)]
+    more = [count for one in data for count in range(len(one.others), -1, -1)]
+    pairs = np.array([pair for pair, _ in every], dtype=np.int64).reshape(-1, 2)
+    local = np.array([place for _, place in every]).reshape(-1, 2, 3)
+    return pairs, local, np.array(more, dtype=np.int64)
 
 
 def fitted(of: Ensemble, known: Known, share: float = 1.0, stages: int = STAGES) -> NodeFits:
@@ -133,9 +134,12 @@ def fitted(of: Ensemble, known: Known, share: float = 1.0, stages: int = STAGES)
     """
     data = known.distances
     frames = known.nearest(of.frames, max(1, int(share * known.starts)))
-    low, high = [datum.low for datum in data], [datum.high for datum in data]
+    low, high = (
+        [one.loosely[k] for one in data for _ in range(1 + len(one.others))] for k in (0, 1)
+    )
+    pairs, local, more = _places(data)
     begun = np.ascontiguousarray(of.frames[frames])
-    of_data = _pairs(data), low, high, _local(data)
+    of_data = pairs, low, high, local, more
     shapes, strain, misfit = fit_nodes(begun, of.chains, *of_data, known.density, stages)
     strained = strain if known.density is None else STRAIN_IN_MAP * strain
     evidence = PlausibleShapes(of.start).scores(shapes) - (strained + misfit) / ENERGY

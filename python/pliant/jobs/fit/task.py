@@ -14,11 +14,15 @@ import numpy as np
 from pliant._core import OptionError, PathOptions, PliantWarning
 from pliant.jobs.fit import in_map
 from pliant.jobs.fit import nodes as at_nodes
-from pliant.jobs.fit.data import Datum, in_nanometres, read_distances
-from pliant.jobs.fit.fitted import FittedStructure, agreement_of
+from pliant.jobs.fit.data import Datum, in_nanometres, read_distances, with_dyes_in
+from pliant.jobs.fit.fitted import FittedStructure, Whole, agreement_of, measured
+from pliant.jobs.fit.labels import DYES, Labels
 from pliant.jobs.fit.molecule import Molecule
+from pliant.jobs.fit.nodes import outside
 from pliant.measure.backbone import ramachandran_outliers
 from pliant.trajectory.superposition import superpose_onto
+
+ROUNDS = 3  #: of fits where there are dyes
 
 Distances: TypeAlias = "str | os.PathLike[str] | Sequence[Mapping[str, Any]]"
 
@@ -63,29 +67,45 @@ class FitTask:
         known = at_nodes.Known(data)
         if density is not None:
             known = at_nodes.Known(data, density.at_nodes(structure, of.frames))
-        found = at_nodes.consistent(of, known)
-        fits = found.fits
-        wholes = [molecule.brought(fits, k) for k in range(min(keep, len(fits.frames)))]
-        best, start = wholes[0].positions[molecule.atoms], of.start
-        ends = np.array([molecule.model.positions, wholes[0].positions])
-        outliers = ramachandran_outliers(structure, ends)
-        used = [data[k] for k in found.kept]
-        missed = [found.left_out[k].off for k in found.kept if k in found.left_out]
+        known, found, wholes = self._rounds(of, known, keep)
+        fits, best = found.fits, wholes[0].positions
+        outliers = ramachandran_outliers(structure, np.array([molecule.model.positions, best]))
+        at_start = measured(data, molecule.placed, molecule.atoms)
+        there = measured(known.distances, best, molecule.atoms)
+        off = outside(at_start, [(one.low, one.high) for one in data])[found.kept]
+        missed = np.array([one.off for k, one in found.left_out.items() if k in found.kept])
+        nodes, start = best[molecule.atoms], of.start
         return FittedStructure(
             model=molecule.model,
             kept=wholes,
-            data=agreement_of(data, start, best, found.contradicting, found.left_out),
-            density=self._in_map(of, known.only(found.kept), wholes[0].positions, fits.frames[0]),
+            data=agreement_of(data, at_start, there, found.contradicting, found.left_out),
+            density=self._in_map(of, known.only(found.kept), best, fits.frames[0]),
             labels=molecule.sites.labels,
             spread=fits.spread if density is None else density.spread(fits.spread),
-            rmsd_from_start=_rms(superpose_onto(best[None], slice(None), start)[0] - start),
+            rmsd_from_start=_rms(superpose_onto(nodes[None], slice(None), start)[0] - start),
             outliers_at_start=float(outliers[0]),
             outliers=float(outliers[1]),
             agreeing=len(fits.agreeing),
             fits=len(fits.frames),
-            off_at_start=_rms(at_nodes.violations(start, used)[:, None]),
-            off_left_out=_rms(np.array(missed)[:, None]) if missed else None,
+            off_at_start=_rms(off[:, None]),
+            off_left_out=_rms(missed[:, None]) if len(missed) else None,
         )
+
+    def _rounds(
+        self, of: at_nodes.Ensemble, known: at_nodes.Known, keep: int
+    ) -> tuple[at_nodes.Known, at_nodes.Consistent, list[Whole]]:
+        """Fits. What room dyes have depends on the shape: they are placed in the structure found,
+        and all is fitted anew. Returns what is known with dyes in the last one, too."""
+        molecule = self.molecule
+        rounds = ROUNDS if any(one.kind in DYES for one in known.distances) else 1
+        for left in reversed(range(rounds)):
+            found = at_nodes.consistent(of, known)
+            count = min(1 if left else keep, len(found.fits.frames))
+            wholes = [molecule.brought(found.fits, k) for k in range(count)]
+            there = in_map.at(molecule.structure, wholes[0].positions)
+            dyes = with_dyes_in(known.distances, Labels(there, molecule.atoms))
+            known = at_nodes.Known(dyes, known.density)
+        return known, found, wholes
 
     def _in_map(
         self, of: at_nodes.Ensemble, known: at_nodes.Known, found: np.ndarray, frame: int

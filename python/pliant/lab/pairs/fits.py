@@ -18,6 +18,8 @@ from pliant.jobs.fit.data import Datum
 from pliant.jobs.fit.design import best_pairs, labelled
 from pliant.jobs.fit.in_map import FLOOR
 from pliant.jobs.fit.molecule import FRAMES, Molecule
+from pliant.jobs.fit.saxs.explained import fit_curve
+from pliant.lab.pairs.curves import curve_of
 from pliant.lab.pairs.directions import Direction, Judge, directions_of
 from pliant.lab.pairs.maps import noisy, without_half
 from pliant.lab.pool import each_done
@@ -30,6 +32,7 @@ WRONG = 15.0
 ANY = (0.0, np.inf)
 COUNTS = (5, 10, 20)
 RANDOM, MISTAKEN = "10 random", "10 designed, 1 wrong"
+CURVE, NEAREST = "SAXS curve", "SAXS curve, best of the frames"
 MAPS = (
     ("map of 5 A, noise of 1/4", 5.0, partial(noisy, share=0.25)),
     ("map of 5 A, noise of 1/2", 5.0, partial(noisy, share=0.5)),
@@ -51,7 +54,7 @@ class Fit:
     data: str
     at_start: float  #: r.m.s. distance of alpha carbons from the goal (Angstrom)
     reached: float
-    within: float  #: share of residues whose error is at most twice their spread
+    within: float | None  #: share of residues whose error is at most twice their spread
     named: bool  #: the wrong one was let go, and no other; where none is wrong, none was
     seconds: float
 
@@ -67,7 +70,7 @@ class Share:
     median: float
     below_3: float
     below_2: float
-    within: float
+    within: float | None
     named: int
     seconds: float
 
@@ -133,7 +136,7 @@ def _share(rows: Sequence[Fit]) -> Share:
         median=float(np.median(reached)),
         below_3=float((reached < LIMITS[0]).mean()),
         below_2=float((reached < LIMITS[1]).mean()),
-        within=float(np.mean([row.within for row in rows])),
+        within=_mean([row.within for row in rows]),
         named=sum(row.named for row in rows),
         seconds=float(np.mean([row.seconds for row in rows])),
     )
@@ -164,6 +167,7 @@ class _Case:
         node = {int(atom): k for k, atom in enumerate(self.molecule.atoms)}
         self.shared = np.array([node[int(atoms[1])] for atoms in judge.atoms])
         self.goal = judge.goal[:, 1]
+        self.seed = seed
         self.random = np.random.default_rng(seed)
 
     def rows(self) -> list[Fit]:
@@ -177,7 +181,18 @@ class _Case:
         found += self.to(RANDOM, self.data(self.drawn()))
         wrong = int(self.random.integers(min(10, len(pairs))))
         found += self.to(MISTAKEN, self.data(pairs[:10], wrong), wrong)
-        return found + self.to_maps()
+        return [*found, *self.to_curve(), *self.to_maps()]
+
+    def to_curve(self) -> list[Fit]:
+        """Of the other structure; the frame that explains it, and the one that is nearest to it."""
+        begun = time.perf_counter()
+        molecule, goal = self.molecule, amino_part(read_quietly(self.direction.goal))
+        curve = curve_of(goal, self.seed)
+        fit = fit_curve(curve, molecule.model, molecule.frames, molecule.atoms, seed=self.seed)
+        found = fit.positions[0][molecule.atoms]
+        nearest = min(self.of.frames, key=lambda frame: _rms(self.apart(frame)))
+        rows = ((CURVE, found), (NEAREST, nearest))
+        return [self.fit(name, nodes, None, True, begun) for name, nodes in rows]
 
     def to_maps(self) -> list[Fit]:
         """Of all atoms of the other structure; the start is superposed on it."""
@@ -216,17 +231,22 @@ class _Case:
         wrong: int | None,
         begun: float,
     ) -> Fit:
-        apart = self.apart(nodes)
-        within = apart <= 2 * spread[self.shared]
+        within = (self.apart(nodes) <= 2 * spread[self.shared]).mean()
+        named = known.contradicting == ([] if wrong is None else [wrong])
+        return self.fit(name, nodes, float(within), named, begun)
+
+    def fit(
+        self, name: str, nodes: np.ndarray, within: float | None, named: bool, begun: float
+    ) -> Fit:
         return Fit(
             protein=self.direction.protein,
             direction=self.direction.name,
             residues=len(self.shared),
             data=name,
             at_start=_rms(self.apart(self.of.start)),
-            reached=_rms(apart),
-            within=float(within.mean()),
-            named=known.contradicting == ([] if wrong is None else [wrong]),
+            reached=_rms(self.apart(nodes)),
+            within=within,
+            named=named,
             seconds=self.sampled + time.perf_counter() - begun,
         )
 
@@ -258,3 +278,8 @@ class _Case:
 
 def _rms(lengths: np.ndarray) -> float:
     return float(np.sqrt((lengths**2).mean()))
+
+
+def _mean(shares: Sequence[float | None]) -> float | None:
+    known = [share for share in shares if share is not None]
+    return float(np.mean(known)) if known else None

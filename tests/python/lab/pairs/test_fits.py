@@ -29,10 +29,17 @@ def test_fits_come_nearer_and_are_told_in_shares(pair, monkeypatch, capsys):
     monkeypatch.setattr(measure, "COUNTS", (3, 5))
     monkeypatch.setattr(measure, "directions_of", lambda folder: directions_of(folder)[1:])
     found = measure.fits(pair)
-    names = ["3 designed", "5 designed", measure.RANDOM, measure.MISTAKEN]
+    errors = [f"10 designed, +-{error:g} A" for error in measure.OTHER_ERRORS]
+    names = ["3 designed", "5 designed", *errors, measure.RANDOM, measure.MISTAKEN]
+    maps = [name for name, *_ in measure.MAPS]
     assert [share.data for share in found.shares] == [
-        name + more for name in names for more in ("", ", all atoms")
+        *(name + more for name in names for more in ("", ", all atoms")),
+        *(measure.CURVE, measure.NEAREST),
+        *(name + more for name in maps for more in ("", ", all atoms")),
     ]
+    of_curve = {share.data: share for share in found.shares}
+    assert of_curve[measure.NEAREST].reached <= of_curve[measure.CURVE].reached
+    assert of_curve[measure.CURVE].within is None
     best = found.shares[2]
     assert best.reached < 0.7 * best.at_start
     assert best.directions == 1
