@@ -15,7 +15,6 @@ from pliant.base import console
 from pliant.jobs.fit.data import Sites, read_distances
 from pliant.jobs.fit.fitted import HOLDS
 from pliant.jobs.fit.in_map import read_map
-from pliant.jobs.fit.nodes import distances
 from pliant.report.page.drawn import as_base64
 from pliant.report.page.map_surface import MapSurface
 
@@ -56,14 +55,13 @@ def _map(structure: Structure, density: str, resolution: float | None) -> dict[s
 
 
 def _distances(structure: Structure, table: str) -> dict[str, Any]:
-    """Rows of two atoms by their names and an interval, Angstrom. Distances of labels are left out,
-    and a note says so: the page has alpha carbons alone."""
+    """Rows of two atoms by their names and an interval, Angstrom. Distances of labels and atoms are
+    left out, and a note says so: the page has alpha carbons alone."""
     atoms, _ = nodes_to_fit(structure)
-    data, nodes = read_distances(table, Sites(structure, atoms)), structure.positions[atoms]
-    one, other = nodes[np.array([datum.pair for datum in data]).T]
-    direct = np.isclose(distances(nodes, data), np.linalg.norm(one - other, axis=1))
-    if not direct.all():
-        console.note(f"{np.sum(~direct)} of {len(data)} distances are of labels: not shown")
+    data = read_distances(table, Sites(structure, atoms))
+    direct = [not datum.local.any() and datum.atoms is None for datum in data]
+    if left := direct.count(False):
+        console.note(f"{left} of {len(data)} distances are of labels or atoms: not shown")
     rows = [
         {
             "names": [structure.label(int(atoms[node])) for node in datum.pair],

@@ -194,7 +194,7 @@ def test_distances_are_told_by_the_names_of_the_atoms(tmp_path, capsys):
     assert [(row["low"], row["high"]) for row in told["rows"]] == [(18, 22), (0, 25), (8, None)]
     assert {name for row in told["rows"] for name in row["names"]} <= names
     assert told["holds"] == 1
-    assert "1 of 4 distances are of labels: not shown" in capsys.readouterr().err
+    assert "1 of 4 distances are of labels or atoms: not shown" in capsys.readouterr().err
 
 
 def test_a_map_is_told_by_its_surface_and_the_points_inside(tmp_path):
