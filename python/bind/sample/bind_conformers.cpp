@@ -5,6 +5,7 @@
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
 #include "pliant/conformers/choice/choose_conformers.hpp"
+#include "pliant/conformers/torsions/bond_turn_kinds.hpp"
 #include "pliant/jobs/conformers_task.hpp"
 #include "pliant/jobs/job.hpp"
 
@@ -27,6 +28,7 @@ FramesView frames_of(const Sets& sets, std::size_t atoms, const PositionsIn& pos
 ConformerOptions options_from(const nb::dict& values) {
   ConformerOptions options;
   take_values(conformer_fields(), nb::cast<nb::dict>(values.attr("copy")()), options);
+  options.both_hands = values.contains("both_hands") && nb::cast<bool>(values["both_hands"]);
   options.log = python_log();
   return options;
 }
@@ -89,6 +91,17 @@ nb::object choose_among(const nb::object& structure, const GivenFrames& position
   const std::vector<std::size_t> chosen = choose_conformers(
       shapes.distances(positions), energies, {std::size_t(asked.max), asked.rms, window});
   return nb::cast(array_of(std::vector<std::int64_t>(chosen.begin(), chosen.end())));
+}
+
+/// (K, 4) atoms of torsions about axes of atropisomers.
+nb::object axes_of(const nb::object& structure) {
+  const MolecularModel model =
+      build_model(nb::cast<const Structure&>(structure), {.kind = ModelKind::angles});
+  nb::list found;
+  for (const auto& [one, a, b, other] :
+       atropisomer_axes(BondChemistry(model.framework, model.positions)))
+    found.append(nb::make_tuple(one, a, b, other));
+  return found;
 }
 
 nb::object nearest(const nb::object& structure, const GivenFrames& positions,
@@ -198,6 +211,7 @@ void bind_conformers_function(nb::module_& module) {
 void bind_conformers(nb::module_& module) {
   bind_conformers_function(module);
   module.def("_draw_conformers", &draw, "structure"_a, "options"_a);
+  module.def("_atropisomer_axes", &axes_of, "structure"_a);
   module.def("_choose_conformers", &choose_among, "structure"_a, "positions"_a, "energies"_a,
              "options"_a);
   module.def("_symmetric_rmsd", &nearest, "structure"_a, "positions"_a, "goals"_a);

@@ -32,6 +32,7 @@ SampleAsked torsions_asked(std::int64_t first, std::int64_t frames, bool is_firs
   SampleAsked wanted;
   wanted.options.ring_systems = is_first_start;
   wanted.options.amides = asked.amides;
+  wanted.options.both_hands = asked.both_hands;
   wanted.options.threads = asked.threads;
   wanted.options.sampler = conformer_sampler().name;
   wanted.options.first_frame = first;

@@ -41,6 +41,7 @@ struct SampleOptions {
   double contact_energy = 3.0;
   bool ring_systems = true;  ///< for `torsions`: rings that share bonds take other forms
   bool amides = false;       ///< for `torsions`: secondary amides are cis or trans, too
+  bool both_hands = false;   ///< for `torsions`: axes of atropisomers take both hands
   /// Called between batches of frames, which take up to about a second; true ends the sample.
   std::function<bool()> should_stop = {};
   Log log = {};  ///< receives warnings

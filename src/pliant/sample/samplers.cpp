@@ -98,7 +98,9 @@ std::string usual_frames_text(std::string_view quotes) {
 }
 
 ConformerMoves conformer_moves(const SampleOptions& options) {
-  return {.secondary_amides = options.amides, .ring_systems = options.ring_systems};
+  return {.secondary_amides = options.amides,
+          .ring_systems = options.ring_systems,
+          .both_hands = options.both_hands};
 }
 
 }  // namespace pliant

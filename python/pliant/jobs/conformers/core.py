@@ -26,8 +26,11 @@ class Drawn:
     worst_bar: float  #: largest error of a length that is held, over all candidates, relative
 
 
-def draw(structure: Structure, options: ConformerOptions, threads: int = 1) -> Drawn:
-    """Candidates, as many from each of the starts.
+def draw(
+    structure: Structure, options: ConformerOptions, threads: int = 1, *, both_hands: bool = False
+) -> Drawn:
+    """Candidates, as many from each of the starts; axes of atropisomers keep their hand, or take
+    `both_hands`.
 
     Starts after the first are conformers of the first, relaxed with their rings shaken
     (src/pliant/jobs/conformers_task.hpp). There may be fewer of them than asked for.
@@ -36,7 +39,8 @@ def draw(structure: Structure, options: ConformerOptions, threads: int = 1) -> D
         alone = np.array(structure.positions)[None]
         return Drawn(alone, np.zeros(1, dtype=np.int64), np.zeros(1), alone, 0.0)
     drawn = _core._draw_conformers  # type: ignore[attr-defined]  # stubs have no private names
-    return Drawn(*drawn(structure, vars(options) | {"threads": threads}))
+    asked = vars(options) | {"threads": threads, "both_hands": both_hands}
+    return Drawn(*drawn(structure, asked))
 
 
 def choose(

@@ -14,6 +14,7 @@ import numpy.typing as npt
 from pliant._core import InputError
 from pliant.base.said import noted
 from pliant.jobs.conformers import core
+from pliant.jobs.conformers.axes import Axis, axes_of, said_of
 from pliant.jobs.conformers.energies import OWN, energy_of
 from pliant.jobs.conformers.options import ConformerOptions
 from pliant.jobs.conformers.subject import Subject
@@ -34,6 +35,7 @@ class Made:
     minimised: bool = False
     notes: list[str] = field(default_factory=list)
     seconds: dict[str, float] = field(default_factory=dict)  #: by stage
+    axes: list[Axis] = field(default_factory=list)  #: that cannot turn
 
 
 def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
@@ -41,14 +43,18 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
     seconds: dict[str, float] = {}
     with noted() as notes:
         with _timed(seconds, "draw"):
-            drawn = core.draw(subject.structure, options, threads)
+            axes = axes_of(subject)
+            drawn = core.draw(subject.structure, options, threads, both_hands=subject.hands_open)
         if len(drawn.positions) == 0:
             raise InputError(f"none of {options.frames} candidates is whole")
         with _timed(seconds, "energy"):
-            energy = energy_of(options.energy, subject.structure, lambda: subject.molecule)
+            energy = energy_of(
+                options.energy, subject.structure, lambda: subject.molecule, options.minimise
+            )
             energies = drawn.score if options.energy != "none" else np.zeros_like(drawn.score)
             if energy is not None:
-                energies = np.array([energy.of(one) for one in drawn.positions])
+                energies = energy.own_share * drawn.score
+                energies += [energy.of(one) for one in drawn.positions]
         positions, of_start = drawn.positions, drawn.start
         with _timed(seconds, "choose"):
             kept = core.choose(subject.structure, positions, energies, options)
@@ -72,8 +78,9 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
         np.nan if minimised else drawn.worst_bar,
         options.max,
         minimised,
-        subject.notes + notes,
+        subject.notes + said_of(axes, subject) + notes,
         seconds,
+        axes,
     )
 
 
@@ -91,6 +98,9 @@ def as_sdf(made: Made) -> str:
 def items_of(made: Made, k: int) -> list[tuple[str, str]]:
     """Name and value of each data item of conformer k."""
     items = [("pliant_conformer", str(k + 1)), ("pliant_start", str(made.starts[k] + 1))]
+    if made.axes:
+        hands = (f"{axis.name} {axis.hand(made.positions[k])}" for axis in made.axes)
+        items.append(("pliant_axes", ", ".join(hands)))
     if made.energies is not None:
         items.append(("pliant_energy", f"{made.energies[k]:.3f}"))
         items.append(("pliant_energy_name", made.energy_name))

@@ -16,6 +16,7 @@ from pliant.adapters.rdkit import from_rdkit
 from pliant.adapters.smiles import MOST_ATOMS, embed, parsed_smiles
 from pliant.base.extras import late, need
 from pliant.base.said import noted
+from pliant.jobs.conformers.axes import are_given
 from pliant.jobs.conformers.hydrogens import (
     check_addable,
     completed,
@@ -51,6 +52,7 @@ class Subject:
     notes: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)  #: what was guessed of it
     given: Mol | None = None  #: RDKit's own, where it was given or made
+    hands_open: bool = False  #: those of axes: made 3-D, of what gave none
 
     @cached_property
     def _form(self) -> str:
@@ -243,12 +245,14 @@ def _embedded(
     molecule: Mol, name: str, notes: list[str], options: ConformerOptions, place: str
 ) -> Subject:
     made = Chem.Mol(molecule)
-    if made.GetNumConformers() and made.GetConformer().Is3D():
+    was_flat = not (made.GetNumConformers() and made.GetConformer().Is3D())
+    if not was_flat:
         Chem.AssignStereochemistryFrom3D(made)
     made = Chem.AddHs(Chem.RemoveHs(made, sanitize=True))
     left_open = embed(made, place, options.seed)
     subject = _of_whole_mol(made, name, notes)
     subject.warnings += [left_open] if left_open else []
+    subject.hands_open = was_flat and not are_given(molecule)
     return subject
 
 

@@ -30,9 +30,7 @@ from pliant.lab.conformers.known import start_of
 Floats = npt.NDArray[np.float64]
 
 _SEED = 11
-_LEAST_RMSD = 0.3  #: Angstrom between conformers of CONFORGE, and of ours where many are asked for
-_APART = 0.5  #: Angstrom between conformers of ours, as usual
-_FEW = 50  #: conformers, at most, with the usual distance
+_LEAST_RMSD = 0.3  #: Angstrom between conformers of CONFORGE, as of ours
 _WINDOW = 20.0  #: kcal/mol above its best
 
 
@@ -61,8 +59,7 @@ class Contender:
 
 def _ours(molecule: Mol, count: int) -> Floats:
     """Best first. `pliant.conformers` draws from the start and from others that it makes."""
-    apart = _APART if count <= _FEW else _LEAST_RMSD
-    found = pliant.conformers(molecule, count, rms=apart, threads=1)
+    found = pliant.conformers(molecule, count, threads=1)
     return np.array([one.GetPositions() for one in found.GetConformers()])
 
 

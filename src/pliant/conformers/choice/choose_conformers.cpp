@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/math/elementary.hpp"
 
 namespace pliant {
 namespace {
@@ -24,8 +25,13 @@ void check(const ShapeDistances& shapes, std::span<const double> energies,
     throw InputError("energies of conformers must be finite");
 }
 
-constexpr double worth = 2.0;     // kcal/mol/Angstrom
-constexpr double furthest = 1.5;  // Angstrom: further ones are worth no more
+constexpr double worth = 8.0;     // kcal/mol, of e times the distance
+constexpr double furthest = 2.0;  // Angstrom: further ones are worth no more
+constexpr double nearest = 1e-3;  // Angstrom: nearer ones cost no more
+
+double cost_of(double energy, double apart) {
+  return energy - worth * exact_bits_log(std::max(apart, nearest));
+}
 
 /// A conformer that may be chosen, and what it cost when it was last looked at: less than it costs
 /// now, as others were chosen since.
@@ -48,7 +54,7 @@ class Choosing {
       : shapes_(shapes), energies_(energies), choice_(choice) {
     const double lowest = *std::min_element(energies.begin(), energies.end());
     for (std::size_t k = 0; k < energies.size(); ++k)
-      if (energies[k] <= lowest + choice.window) left_.push({energies[k] - worth * furthest, k});
+      if (energies[k] <= lowest + choice.window) left_.push({cost_of(energies[k], furthest), k});
   }
 
   std::vector<std::size_t> choose() {
@@ -76,7 +82,7 @@ class Choosing {
       if (apart <= choice_.rms) return false;
       next.nearest = std::min(next.nearest, apart);
     }
-    next.cost = energies_[next.number] - worth * next.nearest;
+    next.cost = cost_of(energies_[next.number], next.nearest);
     return true;
   }
 

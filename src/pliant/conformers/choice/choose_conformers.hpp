@@ -14,12 +14,13 @@ namespace pliant {
 
 struct ConformerChoice {
   std::size_t most = 50;
-  double rms = 0.5;       ///< Angstrom: conformers no further apart are alike
+  double rms = 0.3;       ///< Angstrom: conformers no further apart are alike
   double window = 1e300;  ///< kcal/mol above the lowest energy at most
 };
 
 /// Numbers of the chosen conformers, by energy, lowest first, which is always among them. Each next
-/// one has the least energy less 2 kcal/mol for each Angstrom, up to 1.5, from the nearest chosen.
+/// one has the least energy less 8 kcal/mol times the logarithm of its distance from the nearest
+/// chosen, up to 2 Angstrom: the most of exp(-energy / 8) times distance.
 /// Ties go to the first. `energies` (conformers), kcal/mol. Throws OptionError for a number below
 /// one, a negative distance or window; InputError where energies are not finite or not as many.
 std::vector<std::size_t> choose_conformers(const ShapeDistances& shapes,

@@ -174,10 +174,24 @@ bool BondChemistry::is_tertiary_amide(Joint c, Joint n) const {
   return heavy_bonds_at(n) == 3 && !is_tetrahedral(n) && is_amide(c, n);
 }
 
-bool BondChemistry::is_amide(Joint c, Joint n) const {
+bool BondChemistry::is_amide(Joint c, Joint n) const { return is_acyl(c) && bears_apart(n, c); }
+
+bool BondChemistry::is_amidine(Joint c, Joint n) const {
+  const auto bonds = bonds_at(c);
+  return element(c) == 6 && bonds.size() == 3 && !is_tetrahedral(c) && !is_acyl(c) && !is_aryl(c) &&
+         std::any_of(bonds.begin(), bonds.end(),
+                     [&](const Link& bond) {
+                       return bond.node != n && is_nitrogen(bond.node) &&
+                              bonds_at(bond.node).size() == 2;
+                     }) &&
+         bears_apart(n, c);
+}
+
+/// Whether it is nitrogen with three bonds that bears heavy atoms, none of which `c` reaches
+/// without it.
+bool BondChemistry::bears_apart(Joint n, Joint c) const {
   const auto bonds = bonds_at(n);
-  if (!is_acyl(c) || element(n) != 7 || bonds.size() != 3) return false;
-  if (heavy_bonds_at(n) < 2) return false;
+  if (element(n) != 7 || bonds.size() != 3 || heavy_bonds_at(n) < 2) return false;
   const std::vector<Joint> hung = beyond(c, {n});
   return std::none_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
     return bond.node != c && std::find(hung.begin(), hung.end(), bond.node) != hung.end();

@@ -65,6 +65,9 @@ class BondChemistry {
   bool is_tertiary_amide(Joint c, Joint n) const;
   /// The same, or of a secondary one, whose nitrogen bears one hydrogen and may be a pyramid.
   bool is_amide(Joint c, Joint n) const;
+  /// Whether the bond from carbon `c` to nitrogen `n` is the single one of an amidine, N=C-N-R, and
+  /// in no ring. In aromatic rings such bonds turn freely, and are none.
+  bool is_amidine(Joint c, Joint n) const;
   /// Whether the bond from carbon `c` to oxygen `o` is that of an ester: O=C-O-R.
   bool is_ester(Joint c, Joint o) const;
   /// Whether it is nitrogen with three bonds that do not lie in a plane, which inverts (an amine).
@@ -73,6 +76,7 @@ class BondChemistry {
 
  private:
   int rank_of(const Link& bond) const;
+  bool bears_apart(Joint n, Joint c) const;
   bool is_in_ring_of_three(Joint atom) const;
   bool is_beside_acyl(Joint atom) const;
   static SimpleRing in_order(const std::vector<Bar>& edges);

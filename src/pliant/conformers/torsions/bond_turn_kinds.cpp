@@ -213,6 +213,20 @@ BondTurn turn_of(const BondChemistry& chemistry, Joint a, Joint b) {
   return TurnKinds(chemistry).of(a, b);
 }
 
+std::vector<std::array<Joint, 4>> atropisomer_axes(const BondChemistry& chemistry) {
+  std::vector<std::array<Joint, 4>> found;
+  for (Joint a = 0; a < chemistry.atoms(); ++a)
+    for (const Link& bond : chemistry.bonds_at(a)) {
+      const Joint b = bond.node;
+      if (b < a || turn_of(chemistry, a, b) != BondTurn::atropisomer) continue;
+      const Joint one = chemistry.reference(a, b), other = chemistry.reference(b, a);
+      const std::vector<Joint> hung = chemistry.beyond(a, {b});
+      if (std::find(hung.begin(), hung.end(), other) == hung.end())
+        found.push_back({one, a, b, other});
+    }
+  return found;
+}
+
 BondTurn turn_in_loop(const BondChemistry& chemistry, Joint a, Joint b) {
   const BondTurn kind = turn_of(chemistry, a, b);
   if (stays(kind)) return kind;

@@ -110,7 +110,7 @@ std::vector<Amide> turning_amides(const Framework& framework, const BondChemistr
   if (framework.atoms() == nullptr) return found;
   for (Joint c = 0; c < framework.joint_count(); ++c)
     for (const Link& bond : chemistry.bonds_at(c))
-      if (chemistry.is_tertiary_amide(c, bond.node) ||
+      if (chemistry.is_tertiary_amide(c, bond.node) || chemistry.is_amidine(c, bond.node) ||
           (moves.secondary_amides && chemistry.heavy_bonds_at(bond.node) == 2 &&
            chemistry.is_amide(c, bond.node)))
         found.push_back({c, bond.node});

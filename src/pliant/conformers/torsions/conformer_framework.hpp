@@ -18,18 +18,20 @@ namespace pliant {
 /// What of a molecule may change besides torsions, simple rings and amines.
 struct ConformerMoves {
   /// Amides, ureas and carbamates (and their thio analogues) with hydrogen at N turn from cis to
-  /// trans. Those without, tertiary ones, always do.
+  /// trans. Those without, tertiary ones, always do, and amidines.
   bool secondary_amides = false;
   /// Rings that share bonds take other forms (system_forms.hpp), which takes time to find.
   bool ring_systems = true;
+  /// Axes of atropisomers (BondTurn::atropisomer) take both hands.
+  bool both_hands = false;
 };
 
-/// An amide outside of rings, either cis or trans.
+/// An amide or amidine outside of rings, either cis or trans.
 struct Amide {
   Joint carbon, nitrogen;
 };
 
-/// The amides of a molecule that turn (bond in no ring), by carbon, then nitrogen.
+/// The amides and amidines of a molecule that turn (bond in no ring), by carbon, then nitrogen.
 std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
                                   ConformerMoves moves);
 

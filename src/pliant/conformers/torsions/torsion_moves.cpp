@@ -68,7 +68,7 @@ TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
                            std::span<const Vec3> start, ConformerMoves moves)
     : framework_(framework), plan_(plan), start_(start) {
   const BondChemistry chemistry(framework, start);
-  find_loops(chemistry);
+  find_loops(chemistry, moves);
   find_rings(chemistry, moves.ring_systems);
   find_rigid_systems(chemistry);
   find_amines(chemistry);
@@ -76,10 +76,10 @@ TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
 }
 
 /// Loops whose joints are all hinges are drawn, others bent.
-void TorsionMoves::find_loops(const BondChemistry& chemistry) {
+void TorsionMoves::find_loops(const BondChemistry& chemistry, ConformerMoves moves) {
   const std::vector<bool> is_in_loop = bodies_in_loops(plan_);
   loop_bodies_ = std::count(is_in_loop.begin(), is_in_loop.end(), true);
-  find_rotors(chemistry, is_in_loop);
+  find_rotors(chemistry, is_in_loop, moves);
   LoopPlan loops = plan_loops(framework_, plan_, chemistry, is_in_loop, is_rotor_);
   if (!loops.hinges.empty())
     drawn_.emplace(plan_, std::move(loops));
@@ -88,8 +88,8 @@ void TorsionMoves::find_loops(const BondChemistry& chemistry) {
 }
 
 /// A hinge outside of loops turns all bodies that hang on its own, first to last in the plan.
-void TorsionMoves::find_rotors(const BondChemistry& chemistry,
-                               const std::vector<bool>& is_in_loop) {
+void TorsionMoves::find_rotors(const BondChemistry& chemistry, const std::vector<bool>& is_in_loop,
+                               ConformerMoves moves) {
   const auto bodies = plan_.bodies();
   is_rotor_.assign(bodies.size(), false);
   for (std::uint32_t k = 0; k < bodies.size(); ++k) {
@@ -106,6 +106,8 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry,
       rotor.beyond_a = chemistry.reference(rotor.a, rotor.b);
       rotor.beyond_b = chemistry.reference(rotor.b, rotor.a);
       rotor.kind = turn_of(chemistry, rotor.a, rotor.b);
+      if (moves.both_hands && rotor.kind == BondTurn::atropisomer)
+        rotor.kind = BondTurn::biaryl_flanked;
     }
     is_rotor_[k] = true;
     rotors_.push_back(std::move(rotor));

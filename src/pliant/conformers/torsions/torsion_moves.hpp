@@ -6,8 +6,8 @@
 //   axial ones become equatorial; handedness (chirality) does not change;
 // - nitrogen of amines inverts: its smallest substituent moves to the other side of the other two
 //   bonds;
-// - tertiary amides, and others where asked, turn from cis to trans, where no bar reaches across
-// them;
+// - amidines and tertiary amides, and others where asked, turn from cis to trans, where no bar
+//   reaches across them;
 // - flexible loops (rings of seven and more) get new torsions and are closed (loop_draws.hpp), or
 //   are bent at random, step by step, if they are only known as bodies (loop_bending.hpp).
 #pragma once
@@ -87,8 +87,9 @@ class TorsionMoves {
   const LoopBending* bent() const { return bent_ ? &*bent_ : nullptr; }
 
  private:
-  void find_loops(const BondChemistry& chemistry);
-  void find_rotors(const BondChemistry& chemistry, const std::vector<bool>& is_in_loop);
+  void find_loops(const BondChemistry& chemistry, ConformerMoves moves);
+  void find_rotors(const BondChemistry& chemistry, const std::vector<bool>& is_in_loop,
+                   ConformerMoves moves);
   void find_rings(const BondChemistry& chemistry, bool with_systems);
   void find_rigid_systems(const BondChemistry& chemistry);
   bool is_in_one_body(std::span<const Joint> atoms) const;

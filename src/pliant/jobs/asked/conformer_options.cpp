@@ -45,8 +45,8 @@ const OptionField<ConformerOptions> table[] = {
      at<&ConformerOptions::window>},
     {{.name = "energy",
       .summary = "rank by own (penalises unusual torsions and close atoms), MMFF94s or UFF (of\n"
-                 "RDKit), auto (MMFF94s, else UFF, where RDKit is installed, else own), none, or\n"
-                 "a force field of OpenMM (FILE.xml)",
+                 "RDKit), auto (own with torsions and damped charges of MMFF94s where RDKit is\n"
+                 "installed, else own), none, or a force field of OpenMM (FILE.xml)",
       .kind = "NAME"},
      at<&ConformerOptions::energy>},
     {{.name = "minimise",

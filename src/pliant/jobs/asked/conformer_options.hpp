@@ -17,12 +17,13 @@ struct ConformerOptions {
   std::int64_t max = 50;    ///< conformers of a molecule
   std::int64_t frames = 0;  ///< candidates, shared among the starts; 0: as settle() has them
   std::int64_t starts = 5;  ///< structures with other lengths and angles to draw from
-  double rms = 0.5;         ///< Angstrom, heavy atoms; nearer ones are left out; 0: none
+  double rms = 0.3;         ///< Angstrom, heavy atoms; nearer ones are left out; 0: none
   double window = 0.0;      ///< kcal/mol above the lowest energy; 0: all are kept
-  std::string energy = "own";
+  std::string energy = "auto";
   bool minimise = false;  ///< by the energy
   bool embed = false;     ///< what is not 3-D, or has no hydrogens, is made so
   bool amides = false;    ///< secondary amides are cis or trans, too
+  bool both_hands = false;  ///< of axes: nobody gave one; no option of users
   std::int64_t seed = 0;
   std::string smiles = {};  ///< bond orders, charges and hydrogens of a ligand; "": not given
   std::int64_t max_input = usual_text / 1'000'000;  ///< MB, of a library once it is decompressed
