@@ -6,9 +6,12 @@
 #include <utility>
 
 #include "pliant/base/random.hpp"
+#include "pliant/conformers/rings/ring_moves.hpp"
 #include "pliant/conformers/strain/conformer_energy.hpp"
 #include "pliant/conformers/strain/relaxation.hpp"
 #include "pliant/conformers/strain/strain.hpp"
+#include "pliant/conformers/strain/torsion_gradient.hpp"
+#include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/jobs/sample_task.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -18,6 +21,8 @@ namespace {
 constexpr double furthest_shaken = 1.0;  // Angstrom
 constexpr std::uint64_t tries = 4;       // to shake rings and keep handedness
 constexpr double least_volume = 0.3;  // Angstrom^3, of three bonds: flatter ones have no handedness
+constexpr double whole = 1e-9, most_bent = 0.3;  // share of a bar's length
+constexpr double most_turned = 0.1;              // cosine
 
 MolecularModel molecule_model(const Structure& structure, const Log& log) {
   ModelOptions options;
@@ -42,13 +47,14 @@ SampleAsked torsions_asked(std::int64_t first, std::int64_t frames, bool is_firs
   return wanted;
 }
 
-/// Signs of what relaxing must not change; nitrogen may invert.
+/// Signs of what relaxing must not change; nitrogen may invert, flat atoms bend to either side.
 class Handedness {
  public:
   Handedness(const BondChemistry& chemistry, std::span<const Vec3> x) {
     for (Joint atom = 0; atom < x.size(); ++atom) {
       const auto bonds = chemistry.bonds_at(atom);
-      if (bonds.size() < 3 || chemistry.is_nitrogen(atom)) continue;
+      if (bonds.size() < 3 || chemistry.is_nitrogen(atom) || !chemistry.is_tetrahedral(atom))
+        continue;
       const Corner corner{atom, bonds[0].node, bonds[1].node, bonds[2].node};
       if (std::abs(volume(corner, x)) > least_volume) corners_.push_back(corner);
     }
@@ -100,13 +106,69 @@ void shake(const BondChemistry& chemistry, double furthest, RandomSequence& draw
   }
 }
 
-/// A conformer of a model, its rings shaken, relaxed; corners keep their handedness, or it is
-/// empty.
+/// The largest error of a bar, as a share of its length.
+double worst_bar(const Framework& framework, std::span<const Vec3> x) {
+  double worst = 0.0;
+  for (BarIndex k = 0; k < framework.bar_count(); ++k) {
+    const double rest = framework.rest_lengths()[k];
+    const Bar bar = framework.bars()[k];
+    worst = std::max(worst, std::abs(distance(x[bar.a], x[bar.b]) / rest - 1.0));
+  }
+  return worst;
+}
+
+double torsion_cosine(std::span<const Vec3> x, const std::array<std::size_t, 4>& at) {
+  const auto found = torsion_gradient(x[at[0]], x[at[1]], x[at[2]], x[at[3]]);
+  return found ? found->cosine : 1.0;
+}
+
+/// Whether bonds between flat atoms are turned about as far as at first, to either side.
+bool keeps_flat(const FlexibleRing& ring, const BondChemistry& chemistry, const RingForm& first,
+                const RingForm& form) {
+  const auto is_flat = [&](std::size_t k) { return !chemistry.is_tetrahedral(ring.atoms[k]); };
+  for (std::size_t a = 0; a < ring.atoms.size(); ++a)
+    for (std::size_t b : ring.neighbours[a])
+      for (std::size_t i : ring.neighbours[a])
+        for (std::size_t j : ring.neighbours[b]) {
+          if (i == b || j == a || i == j || !is_flat(a) || !is_flat(b)) continue;
+          const double was = torsion_cosine(first.positions, {i, a, b, j});
+          if (std::abs(torsion_cosine(form.positions, {i, a, b, j}) - was) > most_turned)
+            return false;
+        }
+  return true;
+}
+
+/// Rings with the forms that bend bars a little: conformers of one start do not take them.
+std::vector<FlexibleRing> bent_rings(const MolecularModel& model, const BondChemistry& chemistry) {
+  const Framework framework = conformer_framework(model.framework, model.positions);
+  std::vector<FlexibleRing> found;
+  for (FlexibleRing& ring :
+       flexible_rings(framework, chemistry, model.positions, {.systems = true})) {
+    std::vector<RingForm> bent;
+    for (const RingForm& form : ring.forms) {
+      std::vector<Vec3> x = model.positions;
+      take_form(ring, form, x);
+      const double worst = worst_bar(framework, x);
+      if (worst > whole && worst < most_bent && keeps_flat(ring, chemistry, ring.forms[0], form))
+        bent.push_back(form);
+    }
+    ring.forms = std::move(bent);
+    if (!ring.forms.empty()) found.push_back(std::move(ring));
+  }
+  return found;
+}
+
+/// A conformer of a model, its rings `bent` into one form after the other by the number of the start,
+/// shaken and relaxed; corners keep their handedness, or it is empty.
 std::vector<Vec3> relaxed(const MolecularModel& model, const BondChemistry& chemistry,
+                          const std::vector<FlexibleRing>& bent, std::size_t number,
                           std::span<const Vec3> conformer, RandomSequence draws) {
-  const Strain strain(model.framework, chemistry, model.positions, conformer);
   std::vector<Vec3> x(conformer.begin(), conformer.end());
   const Handedness hands(chemistry, x);
+  for (const FlexibleRing& ring : bent)
+    if (const std::size_t form = number % (ring.forms.size() + 1); form < ring.forms.size())
+      take_form(ring, ring.forms[form], x);
+  const Strain strain(model.framework, chemistry, model.positions, x);
   shake(chemistry, furthest_shaken, draws, x);
   relax([&](std::span<const Vec3> at, std::span<Vec3> gradient) { return strain.at(at, gradient); },
         {}, x);
@@ -132,6 +194,7 @@ std::vector<MolecularModel> conformer_starts(const Structure& structure,
   starts.push_back(molecule_model(structure, asked.log));
   if (count == 1) return starts;
   const BondChemistry chemistry(starts[0].framework, starts[0].positions);
+  const std::vector<FlexibleRing> bent = bent_rings(starts[0], chemistry);
   std::vector<std::vector<Vec3>> found;
   const SampleTask task(subject_of(starts[0]), torsions_asked(0, count - 1, true, asked));
   task.run([&](const Frame& frame) {
@@ -141,7 +204,7 @@ std::vector<MolecularModel> conformer_starts(const Structure& structure,
   for (std::size_t k = 0; k < found.size(); ++k)
     for (std::uint64_t attempt = 0; attempt < tries; ++attempt) {
       const RandomSequence draws({std::uint64_t(asked.seed), Domain::start, attempt, k, 0});
-      std::vector<Vec3> x = relaxed(starts[0], chemistry, found[k], draws);
+      std::vector<Vec3> x = relaxed(starts[0], chemistry, bent, k, found[k], draws);
       if (x.empty()) continue;
       starts.push_back(molecule_model(moved(starts[0].structure, std::move(x)), {}));
       break;

@@ -59,6 +59,11 @@ def axes_of(subject: Subject) -> list[Axis]:
     return axes
 
 
+def hands_text(axes: list[Axis], positions: npt.NDArray[np.float64]) -> str:
+    """ "C8-N9 M", of one conformer (N, 3)."""
+    return ", ".join(f"{one.name} {one.hand(positions)}" for one in axes)
+
+
 def are_given(molecule: Mol) -> bool:
     """Whether a drawing or SMILES gives the hand of an axis."""
     return any("ATROP" in str(bond.GetStereo()) for bond in molecule.GetBonds())

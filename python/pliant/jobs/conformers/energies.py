@@ -77,15 +77,12 @@ def _beside_own(molecule: Callable[[], Mol]) -> Energy | None:
         terms = Fields.MMFFGetMoleculeProperties(own, "MMFF94s")
     if terms is None:
         return None
-    for left_out in ("Bond", "Angle", "StretchBend", "Oop", "Vdw"):
+    for left_out in ("Bond", "Angle", "StretchBend", "Oop", "VdW"):
         getattr(terms, f"SetMMFF{left_out}Term")(False)
     terms.SetMMFFDielectricConstant(DIELECTRIC)
     field = Fields.MMFFGetMoleculeForceField(own, terms)
     field.Initialize()
-    name = (
-        f"half of Pliant's own energy, with torsions and damped charges of MMFF94s (RDKit "
-        f"{rdkit.__version__}), kcal/mol"
-    )
+    name = f"{OWN.split(',')[0]}, torsions and charges of MMFF94s (RDKit {rdkit.__version__}), kcal/mol"
     return Energy(name, lambda at: float(field.CalcEnergy(at.ravel().tolist())), own_share=OWN_SHARE)
 
 

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from pliant._core import InputError
 from pliant.base.said import noted
 from pliant.jobs.conformers import core
-from pliant.jobs.conformers.axes import Axis, axes_of, said_of
+from pliant.jobs.conformers.axes import Axis, axes_of, hands_text, said_of
 from pliant.jobs.conformers.energies import OWN, energy_of
 from pliant.jobs.conformers.options import ConformerOptions
 from pliant.jobs.conformers.subject import Subject
@@ -99,8 +99,7 @@ def items_of(made: Made, k: int) -> list[tuple[str, str]]:
     """Name and value of each data item of conformer k."""
     items = [("pliant_conformer", str(k + 1)), ("pliant_start", str(made.starts[k] + 1))]
     if made.axes:
-        hands = (f"{axis.name} {axis.hand(made.positions[k])}" for axis in made.axes)
-        items.append(("pliant_axes", ", ".join(hands)))
+        items.append(("pliant_axes", hands_text(made.axes, made.positions[k])))
     if made.energies is not None:
         items.append(("pliant_energy", f"{made.energies[k]:.3f}"))
         items.append(("pliant_energy_name", made.energy_name))

@@ -15,6 +15,7 @@ from pliant._core import Structure
 from pliant.adapters.rdkit import add_conformer
 from pliant.base.display import Displayed, Facts
 from pliant.base.extras import late
+from pliant.jobs.conformers.axes import hands_text
 from pliant.jobs.conformers.make import Made, as_sdf
 from pliant.trajectory.frames import FramesInMemory
 from pliant.trajectory.trajectory import HasFrames, Trajectory
@@ -64,14 +65,17 @@ class Conformers(HasFrames, Displayed):
     def to_rdkit(self) -> Mol:
         """An rdkit.Chem.Mol with its properties, and a conformer for each.
 
-        Each conformer has the properties pliant_start (from 1) and pliant_energy (kcal/mol), the
-        molecule pliant_energy_name.
+        Each conformer has the properties pliant_start (from 1), pliant_energy (kcal/mol) and, where
+        there are axes that cannot turn, pliant_axes with their hands, as "C8-N9 M"; the molecule
+        has pliant_energy_name.
         """
         molecule: Mol = Chem.Mol(self._made.subject.molecule)
         molecule.RemoveAllConformers()
         for k, positions in enumerate(self.positions):
             conformer = add_conformer(molecule, positions)
             conformer.SetIntProp("pliant_start", int(self.starts[k]) + 1)
+            if self._made.axes:
+                conformer.SetProp("pliant_axes", hands_text(self._made.axes, positions))
             if self.energies is not None:
                 conformer.SetDoubleProp("pliant_energy", float(self.energies[k]))
         for name, value in self._made.subject.block.tags():

@@ -178,7 +178,7 @@ bool BondChemistry::is_amide(Joint c, Joint n) const { return is_acyl(c) && bear
 
 bool BondChemistry::is_amidine(Joint c, Joint n) const {
   const auto bonds = bonds_at(c);
-  return element(c) == 6 && bonds.size() == 3 && !is_tetrahedral(c) && !is_acyl(c) && !is_aryl(c) &&
+  return element(c) == 6 && bonds.size() == 3 && !is_tetrahedral(c) && !is_acyl(c) &&
          std::any_of(bonds.begin(), bonds.end(),
                      [&](const Link& bond) {
                        return bond.node != n && is_nitrogen(bond.node) &&

@@ -66,7 +66,7 @@ class BondChemistry {
   /// The same, or of a secondary one, whose nitrogen bears one hydrogen and may be a pyramid.
   bool is_amide(Joint c, Joint n) const;
   /// Whether the bond from carbon `c` to nitrogen `n` is the single one of an amidine, N=C-N-R, and
-  /// in no ring. In aromatic rings such bonds turn freely, and are none.
+  /// in no ring.
   bool is_amidine(Joint c, Joint n) const;
   /// Whether the bond from carbon `c` to oxygen `o` is that of an ester: O=C-O-R.
   bool is_ester(Joint c, Joint o) const;

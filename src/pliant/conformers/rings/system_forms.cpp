@@ -62,13 +62,17 @@ class SystemForms {
 
   std::vector<RingForm> find(std::size_t most) {
     add_form(start_);
+    add_mirrored(start_);
     int last = 0;  // that found a form
     for (int k = 0; k < starts && forms_.size() < most; ++k) {
       if (k - last > idle_starts + idle_starts_a_form * int(forms_.size())) break;
       const std::size_t known = forms_.size(), lane = std::size_t(k) % lane_count;
       if (lane == 0) relax_from(k);
       std::vector<Vec3>& x = relaxed_[lane];
-      if ((well_ >> lane & 1) && is_form(x)) add_form(std::move(x));
+      if ((well_ >> lane & 1) && is_form(x)) {
+        add_form(x);
+        add_mirrored(std::move(x));
+      }
       if (forms_.size() > known) last = k;
     }
     mark_chairs();
@@ -153,6 +157,12 @@ class SystemForms {
       if (sum < least_square) return;
     }
     forms_.push_back({std::move(x), false});
+  }
+
+  /// All distances of a mirror image are the same.
+  void add_mirrored(std::vector<Vec3> x) {
+    for (Vec3& at : x) at.z = -at.z;
+    if (keeps_hands(x)) add_form(std::move(x));
   }
 
   /// Marks the forms with the most chairs.

@@ -110,7 +110,7 @@ std::vector<Amide> turning_amides(const Framework& framework, const BondChemistr
   if (framework.atoms() == nullptr) return found;
   for (Joint c = 0; c < framework.joint_count(); ++c)
     for (const Link& bond : chemistry.bonds_at(c))
-      if (chemistry.is_tertiary_amide(c, bond.node) || chemistry.is_amidine(c, bond.node) ||
+      if (chemistry.is_tertiary_amide(c, bond.node) ||
           (moves.secondary_amides && chemistry.heavy_bonds_at(bond.node) == 2 &&
            chemistry.is_amide(c, bond.node)))
         found.push_back({c, bond.node});
@@ -123,6 +123,10 @@ Framework conformer_framework(const Framework& framework, std::span<const Vec3> 
   std::vector<Bar> across;
   for (const Amide& amide : turning_amides(framework, chemistry, moves))
     for (Bar pair : pairs_across(amide, chemistry)) across.push_back(pair);
+  for (Joint c = 0; c < chemistry.atoms(); ++c)
+    for (const Link& bond : chemistry.bonds_at(c))
+      if (chemistry.is_amidine(c, bond.node))
+        for (Bar pair : pairs_across({c, bond.node}, chemistry)) across.push_back(pair);
   const std::vector<Bar> angles = soft_pairs(framework, chemistry, start, moves.ring_systems);
   FrameworkParts parts = framework.parts();
   parts.bars.clear();

@@ -18,7 +18,7 @@ namespace pliant {
 /// What of a molecule may change besides torsions, simple rings and amines.
 struct ConformerMoves {
   /// Amides, ureas and carbamates (and their thio analogues) with hydrogen at N turn from cis to
-  /// trans. Those without, tertiary ones, always do, and amidines.
+  /// trans. Those without, tertiary ones, always do.
   bool secondary_amides = false;
   /// Rings that share bonds take other forms (system_forms.hpp), which takes time to find.
   bool ring_systems = true;
@@ -26,17 +26,17 @@ struct ConformerMoves {
   bool both_hands = false;
 };
 
-/// An amide or amidine outside of rings, either cis or trans.
+/// An amide outside of rings, either cis or trans.
 struct Amide {
   Joint carbon, nitrogen;
 };
 
-/// The amides and amidines of a molecule that turn (bond in no ring), by carbon, then nitrogen.
+/// The amides of a molecule that turn (bond in no ring), by carbon, then nitrogen.
 std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
                                   ConformerMoves moves);
 
 /// `framework` without the bars across its `amides` (1-4), which a turn from cis to trans
-/// would break. Angles at the atoms of puckered rings of five and six become limits, 0.12 Angstrom
+/// would break, and across the single bonds of amidines, which turn as others do. Angles at the atoms of puckered rings of five and six become limits, 0.12 Angstrom
 /// to both sides, since they change by some degrees from form to form. Heavy atoms four bonds apart
 /// may come as near as 0.9 of their least distance, since angles that cannot open bring them
 /// together; no heavy atoms four bonds and more apart come nearer than 2.68 Angstrom (overlaps of

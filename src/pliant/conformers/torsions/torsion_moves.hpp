@@ -6,8 +6,8 @@
 //   axial ones become equatorial; handedness (chirality) does not change;
 // - nitrogen of amines inverts: its smallest substituent moves to the other side of the other two
 //   bonds;
-// - amidines and tertiary amides, and others where asked, turn from cis to trans, where no bar
-//   reaches across them;
+// - tertiary amides, and others where asked, turn from cis to trans, where no bar reaches across
+// them;
 // - flexible loops (rings of seven and more) get new torsions and are closed (loop_draws.hpp), or
 //   are bent at random, step by step, if they are only known as bodies (loop_bending.hpp).
 #pragma once
