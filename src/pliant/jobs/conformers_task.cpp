@@ -158,8 +158,8 @@ std::vector<FlexibleRing> bent_rings(const MolecularModel& model, const BondChem
   return found;
 }
 
-/// A conformer of a model, its rings `bent` into one form after the other by the number of the start,
-/// shaken and relaxed; corners keep their handedness, or it is empty.
+/// A conformer of a model, its rings `bent` into one form after the other by the number of the
+/// start, shaken and relaxed; corners keep their handedness, or it is empty.
 std::vector<Vec3> relaxed(const MolecularModel& model, const BondChemistry& chemistry,
                           const std::vector<FlexibleRing>& bent, std::size_t number,
                           std::span<const Vec3> conformer, RandomSequence draws) {

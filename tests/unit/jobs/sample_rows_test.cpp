@@ -104,7 +104,7 @@ TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
 TEST(SampleRows, EveryOptionHasOne) {
   SampleOptions options;
   auto& [frames, first_frame, amplitude, amplitude_from, seed, threads, sampler, near_frames,
-         around, around_joints, contact_energy, ring_systems, amides, should_stop, log] = options;
+         around, around_joints, contact_energy, ring_systems, amides, both_hands, should_stop, log] = options;
   const std::set<const void*> members{&frames, &first_frame, &amplitude,     &amplitude_from,
                                       &seed,   &threads,     &sampler,       &near_frames,
                                       &around, &amides,      &contact_energy};
@@ -112,6 +112,7 @@ TEST(SampleRows, EveryOptionHasOne) {
   for (const SampleField& field : sample_fields()) places.insert(address_of(field.place(options)));
   EXPECT_EQ(places, members);
   EXPECT_TRUE(around_joints.empty());
+  EXPECT_FALSE(both_hands);
   EXPECT_FALSE(should_stop);
   EXPECT_FALSE(log.function);
 }

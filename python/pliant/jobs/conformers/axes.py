@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -10,14 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant import _core
-from pliant._core import InputError
+from pliant._core import InputError, Structure
 from pliant.base.extras import is_there, late
 from pliant.jobs.conformers.hydrogens import numbered
 
 if TYPE_CHECKING:
     from rdkit.Chem import Bond, Mol
-
-    from pliant.jobs.conformers.subject import Subject
 
 Chem = late("rdkit.Chem")
 rdCIPLabeler = late("rdkit.Chem.rdCIPLabeler")
@@ -38,15 +37,17 @@ class Axis:
         return self.positive if _sign(self.torsion, positions) > 0 else OTHER[self.positive]
 
 
-def axes_of(subject: Subject) -> list[Axis]:
-    """Those of a molecule that have two hands. None without RDKit, which names them."""
-    found = _core._atropisomer_axes(subject.structure)  # type: ignore[attr-defined]
+def axes_of(structure: Structure, molecule: Callable[[], Mol]) -> list[Axis]:
+    """Those of a molecule that have two hands. None without RDKit, which names them.
+
+    `molecule` makes that of RDKit.
+    """
+    found = _core._atropisomer_axes(structure)  # type: ignore[attr-defined]
     if not found or not is_there("rdkit"):
         return []
-    labels = numbered(subject.structure.symbols)
-    here = np.asarray(subject.structure.positions)
+    labels, here = numbered(structure.symbols), np.asarray(structure.positions)
     try:
-        named = _labelled(subject.molecule, [(a, b) for _, a, b, _ in found])
+        named = _labelled(molecule(), [(a, b) for _, a, b, _ in found])
     except InputError:  # RDKit does not accept the molecule
         return []
     axes = []
@@ -69,10 +70,9 @@ def are_given(molecule: Mol) -> bool:
     return any("ATROP" in str(bond.GetStereo()) for bond in molecule.GetBonds())
 
 
-def said_of(axes: list[Axis], subject: Subject) -> list[str]:
-    """A line for each axis."""
-    here = np.asarray(subject.structure.positions)
-    if subject.hands_open:
+def said_of(axes: list[Axis], here: npt.NDArray[np.float64], *, is_open: bool) -> list[str]:
+    """A line for each axis of a molecule that is `here` (N, 3)."""
+    if is_open:
         return [f"axis {one.name} cannot turn, no hand is given: P and M are made" for one in axes]
     return [f"axis {one.name} cannot turn: it stays {one.hand(here)}" for one in axes]
 

@@ -45,9 +45,9 @@ with the file of one ligand.
 The output does not depend on --threads; after a kill --continue gives the same bytes.
 
 Each conformer has the data items pliant_conformer (from 1, lowest energy first), pliant_start,
-pliant_energy with pliant_energy_name, pliant_worst_bar (largest error of a held length), pliant_axes
-(P or M of axes that cannot turn) where there are any, and pliant_start_positions with the first
-conformer of each start, whose lengths it keeps.
+pliant_energy with pliant_energy_name, pliant_worst_bar (largest error of a held length), where
+axes cannot turn pliant_axes (P or M of each), and pliant_start_positions with the first conformer
+of each start, whose lengths it keeps.
 
 Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 some records failed, 130 ended by Ctrl-C.
 

@@ -39,6 +39,7 @@ OWN = "Pliant's own energy, kcal/mol"
 #: of our own, beside torsions and charges of MMFF94s; and the dielectric constant of these. Against
 #: GFN2-xTB of relaxed conformers their ranks correlate better than those of either alone
 OWN_SHARE, DIELECTRIC = 0.5, 3.0
+MMFF_PART = "torsions and charges of MMFF94s"
 
 
 @dataclass(frozen=True)
@@ -82,13 +83,15 @@ def _beside_own(molecule: Callable[[], Mol]) -> Energy | None:
     terms.SetMMFFDielectricConstant(DIELECTRIC)
     field = Fields.MMFFGetMoleculeForceField(own, terms)
     field.Initialize()
-    name = f"{OWN.split(',')[0]}, torsions and charges of MMFF94s (RDKit {rdkit.__version__}), kcal/mol"
-    return Energy(name, lambda at: float(field.CalcEnergy(at.ravel().tolist())), own_share=OWN_SHARE)
+    name = f"Pliant's own energy, {MMFF_PART} (RDKit {rdkit.__version__}), kcal/mol"
+    return Energy(
+        name, lambda at: float(field.CalcEnergy(at.ravel().tolist())), own_share=OWN_SHARE
+    )
 
 
 def _for_positions(molecule: Mol) -> Mol:
     """A copy with one conformer, of zeros."""
-    own = Chem.Mol(molecule, True)  # without conformers
+    own: Mol = Chem.Mol(molecule, True)  # without conformers
     own.AddConformer(Chem.Conformer(own.GetNumAtoms()))
     return own
 

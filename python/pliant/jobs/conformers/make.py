@@ -43,7 +43,7 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
     seconds: dict[str, float] = {}
     with noted() as notes:
         with _timed(seconds, "draw"):
-            axes = axes_of(subject)
+            axes = axes_of(subject.structure, lambda: subject.molecule)
             drawn = core.draw(subject.structure, options, threads, both_hands=subject.hands_open)
         if len(drawn.positions) == 0:
             raise InputError(f"none of {options.frames} candidates is whole")
@@ -78,7 +78,9 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
         np.nan if minimised else drawn.worst_bar,
         options.max,
         minimised,
-        subject.notes + said_of(axes, subject) + notes,
+        subject.notes
+        + said_of(axes, subject.structure.positions, is_open=subject.hands_open)
+        + notes,
         seconds,
         axes,
     )

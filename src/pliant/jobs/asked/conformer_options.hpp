@@ -20,9 +20,9 @@ struct ConformerOptions {
   double rms = 0.3;         ///< Angstrom, heavy atoms; nearer ones are left out; 0: none
   double window = 0.0;      ///< kcal/mol above the lowest energy; 0: all are kept
   std::string energy = "auto";
-  bool minimise = false;  ///< by the energy
-  bool embed = false;     ///< what is not 3-D, or has no hydrogens, is made so
-  bool amides = false;    ///< secondary amides are cis or trans, too
+  bool minimise = false;    ///< by the energy
+  bool embed = false;       ///< what is not 3-D, or has no hydrogens, is made so
+  bool amides = false;      ///< secondary amides are cis or trans, too
   bool both_hands = false;  ///< of axes: nobody gave one; no option of users
   std::int64_t seed = 0;
   std::string smiles = {};  ///< bond orders, charges and hydrogens of a ligand; "": not given
