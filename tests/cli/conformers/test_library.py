@@ -60,7 +60,7 @@ def test_a_library_is_complete_but_for_what_is_broken(pliant, with_broken, tmp_p
         assert Chem.MolToSmiles(one) == Chem.MolToSmiles(start)
         for name in ("pIC50", "note"):
             assert one.GetProp(name) == start.GetProp(name)
-        assert one.GetProp("pliant_energy_name") == "Pliant's own energy, kcal/mol"
+        assert one.GetProp("pliant_energy_name").startswith("Pliant's own energy, torsions")
         assert re.fullmatch(r"\d\.\de-\d\d", one.GetProp("pliant_worst_bar"))
     assert_lengths_of_starts(made)
     of_first = [one for one in made if one.GetProp("_Name") == "molecule 4"]
@@ -92,7 +92,7 @@ def test_the_report_has_seven_lines(pliant, with_broken):
     )
     assert lines[0] == "input       library.sdf, 20 records"
     assert lines[1] == "molecules   19 done, 1 failed"
-    assert "have fewer than 3: no more that differ by 0.5 Å" in lines[2]
+    assert "have fewer than 3: no more that differ by 0.3 Å" in lines[2]
     assert "warning: record 7 (broken): " in ended.err
 
 

@@ -18,7 +18,7 @@ def test_a_mol_gives_a_mol_with_its_properties():
     made = embedded("CCC(=O)OCC")
     made.SetProp("pIC50", "7.1")
     made.SetProp("_Name", "ester")
-    found = pliant.conformers(made, 5, energy="auto", **FAST)
+    found = pliant.conformers(made, 5, energy="MMFF94s", **FAST)
     assert found.GetNumConformers() == 5
     assert (found.GetProp("pIC50"), found.GetProp("_Name")) == ("7.1", "ester")
     assert found.GetProp("pliant_energy_name").startswith("MMFF94s, RDKit ")
@@ -68,7 +68,9 @@ def test_minimised_conformers_say_so():
 
 
 def test_uff_is_named_where_mmff_lacks_parameters():
-    found = pliant.conformers(pliant.from_smiles("CC[Se]CC"), 2, energy="auto", **FAST)
+    found = pliant.conformers(pliant.from_smiles("CC[Se]CC"), 2, **FAST)
+    assert found.energy_name == "Pliant's own energy, kcal/mol"
+    found = pliant.conformers(pliant.from_smiles("CC[Se]CC"), 2, minimise=True, **FAST)
     assert found.energy_name.startswith("UFF, as MMFF94s lacks parameters, RDKit ")
     with pytest.raises(pliant.InputError, match="MMFF94s of RDKit: parameters of an atom are miss"):
         pliant.conformers(pliant.from_smiles("CC[Se]CC"), 2, energy="MMFF94s", **FAST)

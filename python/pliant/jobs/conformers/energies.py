@@ -70,11 +70,12 @@ def energy_of(
 def _beside_own(molecule: Callable[[], Mol]) -> Energy | None:
     """Torsions and damped charges of MMFF94s, beside our own energy; None where RDKit does not
     accept the molecule, or lacks parameters."""
-    try:
-        own = _for_positions(molecule())
-    except InputError:
-        return None
     with rdBase.BlockLogs():
+        try:
+            own = _for_positions(molecule())
+            Chem.SanitizeMol(own)
+        except (InputError, ValueError):
+            return None
         terms = Fields.MMFFGetMoleculeProperties(own, "MMFF94s")
     if terms is None:
         return None
