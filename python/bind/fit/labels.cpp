@@ -70,9 +70,9 @@ PositionsView volume(const ArrayLike& positions, const ArrayLike& radii, const A
 
 constexpr const char* accessible_volume_doc =
     R"(Where the centre of a dye on a flexible linker can be (S. Kalinin et al., Nat. Methods 9 (2012)
-1218): points (m, 3) of a grid of 1 Angstrom.
+1218): points (M, 3) of a grid of 1 Angstrom.
 
-`positions` (n, 3) and `radii` (n) of atoms, `attached` (3): where the linker begins; its `length`
+`positions` (N, 3) and `radii` (N) of atoms, `attached` (3): where the linker begins; its `length`
 and `width`, and the `radius` of the dye; all Angstrom. Empty where atoms leave no room.
 )";
 
