@@ -104,7 +104,8 @@ TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
 TEST(SampleRows, EveryOptionHasOne) {
   SampleOptions options;
   auto& [frames, first_frame, amplitude, amplitude_from, seed, threads, sampler, near_frames,
-         around, around_joints, contact_energy, ring_systems, amides, both_hands, should_stop, log] = options;
+         around, around_joints, contact_energy, ring_systems, amides, both_hands, should_stop,
+         log] = options;
   const std::set<const void*> members{&frames, &first_frame, &amplitude,     &amplitude_from,
                                       &seed,   &threads,     &sampler,       &near_frames,
                                       &around, &amides,      &contact_energy};
