@@ -111,3 +111,15 @@ def test_no_process_is_left_behind(some_records):
     found.close()
     while multiprocessing.active_children():
         time.sleep(0.05)
+
+
+def test_columns_of_smiles_are_data_items_by_the_words_of_the_header(tmp_path):
+    pytest.importorskip("rdkit")
+    (tmp_path / "x.smi").write_text(
+        "SMILES\tName\tpIC50\nCCO\tan ethanol\t7.1\nCCN\t\t\tmore\nCCS a thiol, named\n"
+    )
+    found = list(pliant.conformers(tmp_path / "x.smi", 1))
+    assert [one.name for one in found] == ["an ethanol", "CCN", "a thiol, named"]
+    texts = [one.sdf for one in found]
+    assert "> <pIC50>\n7.1\n\n" in texts[0]
+    assert "> <column 4>\nmore\n\n" in texts[1] and "pIC50" not in texts[2]

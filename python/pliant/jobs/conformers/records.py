@@ -41,6 +41,7 @@ class Record:
     source: str = ""  #: name of the file
     fault: str = ""  #: why it was not read
     format: str = "sdf"  #: or that of a ligand
+    items: tuple[tuple[str, str], ...] = ()  #: data items beside a SMILES
 
     @property
     def place(self) -> str:
@@ -114,17 +115,21 @@ def _has_text(lines: list[str]) -> bool:
 
 
 def _smiles_records(lines: Iterable[str], source: str) -> Iterator[Record]:
-    number = 0
+    """Where tabs part columns, those after the name are data items, by the words of the header."""
+    number, titles = 0, list[str]()
     for line in lines:
         if len(line) == MOST_TEXT:
             raise InputError(f"{source} record {number + 1}: {TOO_LONG}")
-        words = line.split(maxsplit=1)
-        if not words or words[0].startswith("#"):
+        words = line.split("\t") if "\t" in line.strip() else line.split(maxsplit=1)
+        smiles, name, *more = (word.strip() for word in (*words, "", "")[: max(2, len(words))])
+        if not smiles or smiles.startswith("#"):
             continue
-        if number == 0 and words[0].lower() in HEADERS:
+        if number == 0 and smiles.lower() in HEADERS:
+            titles = [one.strip().strip("<>") for one in words[2:]]
             continue
         number += 1
-        yield smiles_record(words[0], words[1].strip() if len(words) > 1 else "", number, source)
+        called = (*titles, *(f"column {k}" for k in range(len(titles) + 3, len(words) + 1)))
+        yield smiles_record(smiles, name, number, source, tuple(zip(called, more, strict=False)))
 
 
 def _ligand_records(lines: Iterable[str], source: str, kind: str) -> Iterator[Record]:
@@ -142,6 +147,12 @@ def _ligand_records(lines: Iterable[str], source: str, kind: str) -> Iterator[Re
         yield Record(1, "".join(kept), name, source=source, format=kind)
 
 
-def smiles_record(smiles: str, name: str = "", number: int = 1, source: str = "") -> Record:
+def smiles_record(
+    smiles: str,
+    name: str = "",
+    number: int = 1,
+    source: str = "",
+    items: tuple[tuple[str, str], ...] = (),
+) -> Record:
     """The record of one SMILES."""
-    return Record(number, smiles, name, True, source)
+    return Record(number, smiles, name, True, source, items=items)

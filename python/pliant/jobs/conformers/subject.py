@@ -238,7 +238,9 @@ def _of_smiles(record: Record, options: ConformerOptions) -> Subject:
     except InputError as error:
         raise InputError(f"{record.place}: {error}") from None
     molecule.SetProp("_Name", record.name or record.text)
-    return subject_of_mol(molecule, options, record.place)
+    subject = subject_of_mol(molecule, options, record.place)
+    subject.block.items = "".join(f"> <{name}>\n{value}\n\n" for name, value in record.items)
+    return subject
 
 
 def _embedded(
