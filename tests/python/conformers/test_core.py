@@ -12,6 +12,7 @@ from pliant.jobs.conformers import core
 from pliant.jobs.conformers.options import ConformerOptions
 from rdkit import Chem
 from rdkit.Chem import AllChem, rdMolAlign
+from rdkit.Chem.rdMolTransforms import GetDihedralDeg
 
 from pliant import _core
 
@@ -30,6 +31,7 @@ CHIRAL = (
     "C[C@H](CC)[S@](=O)CCC",
     "CN1CC[C@@H]2CCCC[C@H]2[C@H]1CCO",
 )
+PEPTOID = "C[C@@H]1NC(=O)CN(C)C(=O)CN(C)C(=O)CN(C)C(=O)CN(C)C1=O"
 DRUG = "CCN(CC)C[C@@H](O)COc1ccc(CCNC(C)=O)cc1"
 
 
@@ -104,3 +106,18 @@ def test_starts_and_conformers_keep_handedness_and_double_bonds(smiles):
     assert found == {expected}
     assert len(made.starts) > 1
     assert stereo_of(smiles, made.positions[7] * (1, 1, -1)) != expected
+
+
+def test_amides_of_a_cyclic_peptoid_turn_and_stay_flat():
+    peptoid = embedded(PEPTOID)
+    amides = peptoid.GetSubstructMatches(Chem.MolFromSmarts("[CX4]C(=O)N([CX4;R])[CH3]"))
+    assert len(amides) == 4
+    place, states = peptoid.GetConformer(), set()
+    for frame in drawn(PEPTOID).positions:
+        place.SetPositions(frame)
+        turns = [abs(GetDihedralDeg(place, a, c, n, b)) for a, c, _, n, b, _ in amides]
+        assert max(min(turn, 180 - turn) for turn in turns) < 20  # of the start: 23
+        states.add(tuple(turn < 90 for turn in turns))
+        Chem.AssignStereochemistryFrom3D(peptoid)
+        assert Chem.FindMolChiralCenters(peptoid)[0][1] == "S"
+    assert len(states) > 4

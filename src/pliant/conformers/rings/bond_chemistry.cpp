@@ -15,6 +15,8 @@ constexpr double longest_bond = 1.25;
 constexpr double least_pyramid = 0.35;
 
 constexpr std::size_t smallest_ring = 5;
+/// Trans amides are strained in rings of up to so many.
+constexpr std::size_t largest_that_stays = 8;
 
 Vec3 direction(Vec3 from, Vec3 to) { return (1.0 / distance(from, to)) * (to - from); }
 
@@ -185,6 +187,32 @@ bool BondChemistry::is_amidine(Joint c, Joint n) const {
                               bonds_at(bond.node).size() == 2;
                      }) &&
          bears_apart(n, c);
+}
+
+bool BondChemistry::is_ring_amide(Joint c, Joint n, bool is_tertiary) const {
+  const auto bonds = bonds_at(n);
+  return is_nitrogen(n) && bonds.size() == 3 && is_acyl(c) &&
+         heavy_bonds_at(n) >= (is_tertiary ? 3 : 2) &&
+         std::any_of(
+             bonds.begin(), bonds.end(),
+             [&](const Link& bond) { return bond.node == c && is_ring_bond_[bond.edge]; }) &&
+         !is_in_ring_up_to(largest_that_stays, c, n);
+}
+
+bool BondChemistry::is_in_ring_up_to(std::size_t most, Joint a, Joint b) const {
+  std::vector<Joint> reached{a};
+  std::size_t begin = 0;
+  for (std::size_t depth = 1; depth < most; ++depth) {
+    const std::size_t end = reached.size();
+    for (; begin < end; ++begin)
+      for (const Link& next : bonds_at(reached[begin])) {
+        if (reached[begin] == a && next.node == b) continue;
+        if (next.node == b) return true;
+        if (std::find(reached.begin(), reached.end(), next.node) == reached.end())
+          reached.push_back(next.node);
+      }
+  }
+  return false;
 }
 
 /// Whether it is nitrogen with three bonds that bears heavy atoms, none of which `c` reaches

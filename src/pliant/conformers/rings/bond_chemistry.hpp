@@ -68,6 +68,12 @@ class BondChemistry {
   /// Whether the bond from carbon `c` to nitrogen `n` is the single one of an amidine, N=C-N-R, and
   /// in no ring.
   bool is_amidine(Joint c, Joint n) const;
+  /// Whether the bond is in a ring of at most `most` atoms.
+  bool is_in_ring_up_to(std::size_t most, Joint a, Joint b) const;
+  /// Whether the bond from carbon `c` to nitrogen `n` is that of an amide in a ring of nine atoms
+  /// and more, and in no smaller one; strained ones may be less flat. `is_tertiary`: nitrogen has
+  /// no hydrogen.
+  bool is_ring_amide(Joint c, Joint n, bool is_tertiary) const;
   /// Whether the bond from carbon `c` to oxygen `o` is that of an ester: O=C-O-R.
   bool is_ester(Joint c, Joint o) const;
   /// Whether it is nitrogen with three bonds that do not lie in a plane, which inverts (an amine).

@@ -11,24 +11,7 @@ namespace {
 
 // With angles that cannot open, atoms seem nearer than they are, and in vacuum molecules fold up.
 constexpr double scale_of_reach = 0.8, dispersion_share = 0.5;
-constexpr std::size_t largest_small_ring = 7;
-
-/// Whether the bond is in a ring of at most seven atoms.
-bool is_in_small_ring(const BondChemistry& chemistry, Bar bond) {
-  std::vector<Joint> reached{bond.a};
-  std::size_t begin = 0;
-  for (std::size_t depth = 1; depth < largest_small_ring; ++depth) {
-    const std::size_t end = reached.size();
-    for (; begin < end; ++begin)
-      for (const Link& next : chemistry.bonds_at(reached[begin])) {
-        if (reached[begin] == bond.a && next.node == bond.b) continue;
-        if (next.node == bond.b) return true;
-        if (std::find(reached.begin(), reached.end(), next.node) == reached.end())
-          reached.push_back(next.node);
-      }
-  }
-  return false;
-}
+constexpr std::size_t most_members = 7;
 
 }  // namespace
 
@@ -38,7 +21,7 @@ ConformerEnergy::ConformerEnergy(const Framework& framework, const BondChemistry
   for (Joint a = 0; a < framework.joint_count(); ++a)
     for (const Link& bond : chemistry.bonds_at(a)) {
       if (bond.node < a) continue;
-      if (!is_in_small_ring(chemistry, {a, bond.node}))
+      if (!chemistry.is_in_ring_up_to(most_members, a, bond.node))
         find_usual_torsion(chemistry, {a, bond.node});
       else if (chemistry.is_tetrahedral(a) && chemistry.is_tetrahedral(bond.node))
         find_ring_torsions(chemistry, {a, bond.node});

@@ -15,6 +15,7 @@ constexpr double length_stiffness = 350.0, angle_stiffness = 50.0;
 // is much nearer counts.
 constexpr double clash_scale = 0.85;
 constexpr double planar = 10.0, bent = 0.5;  // kcal/mol: between two flat atoms, beside one
+constexpr double amide = 40.0;               // in large rings: these are flattened
 
 Bar ordered(Joint a, Joint b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -48,16 +49,23 @@ void Strain::find_angles(const BondChemistry& chemistry, Joint centre, std::span
 /// The stiffness of a bond is shared among all of its torsions.
 void Strain::find_torsions(const BondChemistry& chemistry, Bar bond, std::span<const Vec3> held) {
   const bool one = chemistry.is_tetrahedral(bond.a), other = chemistry.is_tetrahedral(bond.b);
-  if (one != other && chemistry.is_in_ring(bond.a) && chemistry.is_in_ring(bond.b)) return;
   const auto paths =
       double((chemistry.bonds_at(bond.a).size() - 1) * (chemistry.bonds_at(bond.b).size() - 1));
-  const double whole = one && other ? half_threefold_barrier : (one || other ? bent : planar);
+  const bool is_amide = chemistry.is_ring_amide(bond.a, bond.b, false) ||
+                        chemistry.is_ring_amide(bond.b, bond.a, false);
+  if (!is_amide && one != other && chemistry.is_in_ring(bond.a) && chemistry.is_in_ring(bond.b))
+    return;
+  double whole = one && other ? half_threefold_barrier : (one || other ? bent : planar);
+  if (is_amide) whole = amide;
   for (const Link& i : chemistry.bonds_at(bond.a))
     for (const Link& j : chemistry.bonds_at(bond.b)) {
       if (i.node == bond.b || j.node == bond.a || i.node == j.node) continue;
       const std::array<Joint, 4> at{i.node, bond.a, bond.b, j.node};
       const auto now = torsion_gradient(held[at[0]], held[at[1]], held[at[2]], held[at[3]]);
-      if (now) torsions_.push_back({at, now->cosine, now->sine, whole / paths, one && other});
+      if (!now) continue;
+      const double cosine = is_amide ? std::copysign(1.0, now->cosine) : now->cosine;
+      const double sine = is_amide ? 0.0 : now->sine;
+      torsions_.push_back({at, cosine, sine, whole / paths, one && other});
     }
 }
 

@@ -230,6 +230,8 @@ std::vector<std::array<Joint, 4>> atropisomer_axes(const BondChemistry& chemistr
 BondTurn turn_in_loop(const BondChemistry& chemistry, Joint a, Joint b) {
   const BondTurn kind = turn_of(chemistry, a, b);
   if (stays(kind)) return kind;
+  if (chemistry.is_ring_amide(a, b, false) || chemistry.is_ring_amide(b, a, false))
+    return BondTurn::ring_amide;
   const auto is_acylated = [&](Joint at) {
     return (chemistry.is_oxygen(at) || chemistry.is_nitrogen(at)) && chemistry.is_conjugated(at);
   };

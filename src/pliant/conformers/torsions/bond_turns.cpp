@@ -79,6 +79,7 @@ constexpr TorsionPeak aryl_vinyl[] = {{0, 0, 10}, {180, 0, 10}, {30, 0.4, 10}, {
 constexpr TorsionPeak allyl[] = {{120, 0, 12}, {0, 0.6, 12}, {60, 0.6, 12}, {180, 0.6, 14}};
 constexpr TorsionPeak hydrazine[] = {{90, 0, 16}, {180, 0, 14}, {0, 1.2, 14}};
 constexpr TorsionPeak beside_acyl[] = {{90, 0, 12}, {180, 0, 12}};
+constexpr TorsionPeak ring_amide[] = {{180, 0, 8}, {0, 0, 8}};
 
 constexpr BondTurnEntry bond_turn_table[] = {
     {BondTurn::any, "any", any},
@@ -136,7 +137,8 @@ constexpr BondTurnEntry bond_turn_table[] = {
     {BondTurn::aryl_vinyl, "aryl_vinyl", aryl_vinyl},
     {BondTurn::allyl, "allyl", allyl},
     {BondTurn::hydrazine, "hydrazine", hydrazine},
-    {BondTurn::beside_acyl, "beside_acyl", beside_acyl}};
+    {BondTurn::beside_acyl, "beside_acyl", beside_acyl},
+    {BondTurn::ring_amide, "ring_amide", ring_amide}};
 
 }  // namespace
 

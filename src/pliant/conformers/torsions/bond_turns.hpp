@@ -70,6 +70,7 @@ enum class BondTurn : std::uint8_t {
   allyl,        ///< C=C - alkyl
   hydrazine,    ///< N - N
   beside_acyl,  ///< in large rings: O or N of ester or amide - sp3
+  ring_amide,   ///< in rings of nine and more: amides that turn
 };
 
 /// Whether torsions of this kind stay near that of the structure.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pliant/conformers/rings/ring_moves.hpp"
+#include "pliant/conformers/torsions/loop_bending.hpp"
 
 namespace pliant {
 namespace {
@@ -102,27 +103,26 @@ Bar longest_of(const std::vector<Bar>& pairs, std::span<const Vec3> x) {
   });
 }
 
-}  // namespace
-
-std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
-                                  ConformerMoves moves) {
+/// Amides in large rings that turn.
+std::vector<Amide> ring_amides(const Framework& framework, const BondChemistry& chemistry,
+                               ConformerMoves moves) {
   std::vector<Amide> found;
   if (framework.atoms() == nullptr) return found;
   for (Joint c = 0; c < framework.joint_count(); ++c)
     for (const Link& bond : chemistry.bonds_at(c))
-      if (chemistry.is_tertiary_amide(c, bond.node) ||
-          (moves.secondary_amides && chemistry.heavy_bonds_at(bond.node) == 2 &&
-           chemistry.is_amide(c, bond.node)))
+      if (chemistry.is_ring_amide(c, bond.node, !moves.secondary_amides))
         found.push_back({c, bond.node});
   return found;
 }
 
-Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
-                              ConformerMoves moves) {
-  const BondChemistry chemistry(framework, start);
+/// Without bars across amides, those of `in_rings` among them.
+Framework framework_with(const Framework& framework, const BondChemistry& chemistry,
+                         std::span<const Vec3> start, std::vector<Amide> in_rings,
+                         ConformerMoves moves) {
   std::vector<Bar> across;
-  for (const Amide& amide : turning_amides(framework, chemistry, moves))
-    for (Bar pair : pairs_across(amide, chemistry)) across.push_back(pair);
+  for (const std::vector<Amide>& some : {turning_amides(framework, chemistry, moves), in_rings})
+    for (const Amide& amide : some)
+      for (Bar pair : pairs_across(amide, chemistry)) across.push_back(pair);
   for (Joint c = 0; c < chemistry.atoms(); ++c)
     for (const Link& bond : chemistry.bonds_at(c))
       if (chemistry.is_amidine(c, bond.node))
@@ -147,15 +147,16 @@ Framework conformer_framework(const Framework& framework, std::span<const Vec3> 
   return Framework(std::move(parts));
 }
 
-std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start,
-                                       ConformerMoves moves) {
-  const BondChemistry chemistry(framework, start);
+/// The plan in which these amides and puckered rings are rigid.
+std::optional<BodyPlan> plan_with(const Framework& framework, const BondChemistry& chemistry,
+                                  std::span<const Vec3> start, std::span<const Amide> rigid,
+                                  ConformerMoves moves) {
   FrameworkParts parts = framework.parts();
   parts.limits.clear();
   parts.sterics.reset();
   parts.drawn.assign(start.begin(), start.end());
   std::vector<Bar> added;
-  for (const Amide& amide : turning_amides(framework, chemistry, moves)) {
+  for (const Amide& amide : rigid) {
     const std::vector<Bar> pairs = pairs_across(amide, chemistry);
     if (!pairs.empty() && !has_bar_of(framework, pairs)) added.push_back(longest_of(pairs, start));
   }
@@ -167,6 +168,59 @@ std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<con
     parts.rest_lengths.push_back(distance(start[bar.a], start[bar.b]));
   }
   return BodyPlan::make(Framework(std::move(parts)));
+}
+
+/// Whether loops can be drawn: those that are bent would twist amides.
+bool turns_by_hinges(const Framework& framework, std::span<const Vec3> start,
+                     ConformerMoves moves) {
+  const std::optional<BodyPlan> plan = drawing_plan(framework, start, moves);
+  if (!plan) return false;
+  const std::vector<bool> is_in_loop = bodies_in_loops(*plan);
+  const auto bodies = plan->bodies();
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (is_in_loop[k] && bodies[k].turns() != 1) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
+                                  ConformerMoves moves) {
+  std::vector<Amide> found;
+  if (framework.atoms() == nullptr) return found;
+  for (Joint c = 0; c < framework.joint_count(); ++c)
+    for (const Link& bond : chemistry.bonds_at(c))
+      if (chemistry.is_tertiary_amide(c, bond.node) ||
+          (moves.secondary_amides && chemistry.heavy_bonds_at(bond.node) == 2 &&
+           chemistry.is_amide(c, bond.node)))
+        found.push_back({c, bond.node});
+  return found;
+}
+
+Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
+                              ConformerMoves moves) {
+  const BondChemistry chemistry(framework, start);
+  const std::vector<Amide> in_rings = ring_amides(framework, chemistry, moves);
+  if (!in_rings.empty()) {
+    Framework made = framework_with(framework, chemistry, start, in_rings, moves);
+    if (turns_by_hinges(made, start, moves)) return made;
+  }
+  return framework_with(framework, chemistry, start, {}, moves);
+}
+
+std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start,
+                                       ConformerMoves moves) {
+  const BondChemistry chemistry(framework, start);
+  std::vector<Amide> rigid = turning_amides(framework, chemistry, moves);
+  for (const Amide& amide : ring_amides(framework, chemistry, moves)) rigid.push_back(amide);
+  return plan_with(framework, chemistry, start, rigid, moves);
+}
+
+std::optional<BodyPlan> drawing_plan(const Framework& framework, std::span<const Vec3> start,
+                                     ConformerMoves moves) {
+  const BondChemistry chemistry(framework, start);
+  if (ring_amides(framework, chemistry, moves).empty()) return std::nullopt;
+  return plan_with(framework, chemistry, start, turning_amides(framework, chemistry, moves), moves);
 }
 
 }  // namespace pliant

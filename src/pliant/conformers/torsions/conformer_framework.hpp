@@ -36,12 +36,12 @@ std::vector<Amide> turning_amides(const Framework& framework, const BondChemistr
                                   ConformerMoves moves);
 
 /// `framework` without the bars across its `amides` (1-4), which a turn from cis to trans
-/// would break, and across the single bonds of amidines, which turn as others do. Angles at the
-/// atoms of puckered rings of five and six become limits, 0.12 Angstrom to both sides, since they
-/// change by some degrees from form to form. Heavy atoms four bonds apart may come as near as 0.9
-/// of their least distance, since angles that cannot open bring them together; no heavy atoms four
-/// bonds and more apart come nearer than 2.68 Angstrom (overlaps of 0.08 are let be), unless they
-/// are nearer at `start` (N, Angstrom).
+/// would break, and across the single bonds of amidines and amides of rings of nine and more, about
+/// which rotors and loops turn. Angles at the atoms of puckered rings of five and six become limits,
+/// 0.12 Angstrom to both sides, since they change by some degrees from form to form. Heavy atoms
+/// four bonds apart may come as near as 0.9 of their least distance, since angles that cannot open
+/// bring them together; no heavy atoms four bonds and more apart come nearer than 2.68 Angstrom
+/// (overlaps of 0.08 are let be), unless they are nearer at `start` (N, Angstrom).
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
                               ConformerMoves moves = {});
 
@@ -49,5 +49,10 @@ Framework conformer_framework(const Framework& framework, std::span<const Vec3> 
 /// without bars that hold them. Nothing if BodyPlan::make gives none.
 std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start,
                                        ConformerMoves moves = {});
+
+/// The same, but amides of rings of nine and more turn, for drawing loops; nothing if there are
+/// none.
+std::optional<BodyPlan> drawing_plan(const Framework& framework, std::span<const Vec3> start,
+                                     ConformerMoves moves = {});
 
 }  // namespace pliant

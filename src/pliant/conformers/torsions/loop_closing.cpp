@@ -10,7 +10,7 @@ namespace {
 // How much it counts where loops are open (Angstrom), atoms too near, or a hydrogen bond too long,
 // and where torsions are off what is usual (sine).
 constexpr double gap_weight = 20.0, overlap_weight = 3.0, bond_weight = 0.3;
-constexpr double torsion_weight = 3.0, ester_weight = 10.0;
+constexpr double torsion_weight = 3.0, ester_weight = 10.0, amide_weight = 40.0;
 constexpr double loop_damping = 0.05;
 constexpr double largest_turn = 0.35;  // radians, of a step
 constexpr int relaxing_steps = 40;
@@ -65,21 +65,31 @@ void LoopClosing::turn(const LoopHinge& hinge, Turn by) {
   }
 }
 
+void LoopClosing::draw_amides(RandomSequence& draws) {
+  is_cis_.clear();
+  for (const LoopTorsion& torsion : loops_.torsions)
+    is_cis_.push_back(torsion.kind == BondTurn::ring_amide && draws.below(2) == 1);
+}
+
 /// Torsions that no hinge turns alone follow.
 void LoopClosing::open(RandomSequence& draws, TorsionDraw how) {
-  for (const LoopTorsion& torsion : loops_.torsions) {
+  for (std::size_t k = 0; k < loops_.torsions.size(); ++k) {
+    const LoopTorsion& torsion = loops_.torsions[k];
     if (torsion.hinge < 0) continue;
-    const Turn by = opened(torsion, draws, how);
+    const Turn by = opened(k, draws, how);
     turn(loops_.hinges[std::size_t(torsion.hinge)], torsion.is_forward ? by : back(by));
   }
 }
 
 /// How much a torsion is turned: to one that is usual for its bond, or by any angle; esters stay as
-/// they are.
-Turn LoopClosing::opened(const LoopTorsion& torsion, RandomSequence& draws, TorsionDraw how) const {
-  if (stays(torsion.kind)) return drawn_jitter(draws);
+/// they are, amides go to what was drawn.
+Turn LoopClosing::opened(std::size_t torsion, RandomSequence& draws, TorsionDraw how) const {
+  const LoopTorsion& at = loops_.torsions[torsion];
+  if (stays(at.kind)) return drawn_jitter(draws);
+  if (at.kind == BondTurn::ring_amide)
+    return Turn{is_cis_[torsion] ? 1.0 : -1.0, 0.0} * drawn_jitter(draws) * back(torsion_now(at));
   if (how == TorsionDraw::uniform) return drawn_angle(draws);
-  return drawn_usual(draws, torsion.kind) * back(torsion_now(torsion));
+  return drawn_usual(draws, at.kind) * back(torsion_now(at));
 }
 
 /// Adds the equations of gaps; returns the widest gap.
@@ -106,6 +116,7 @@ Turn LoopClosing::off_usual(std::size_t torsion, Turn now) const {
 }
 
 double LoopClosing::weight_of(const LoopTorsion& torsion, TorsionDraw how) const {
+  if (torsion.kind == BondTurn::ring_amide) return amide_weight;
   if (stays(torsion.kind)) return ester_weight;
   return how == TorsionDraw::preferred && torsion.kind != BondTurn::any ? torsion_weight : 0.0;
 }
@@ -179,6 +190,14 @@ bool LoopClosing::close() {
     turn_all();
   }
   return false;
+}
+
+double LoopClosing::twist() const {
+  double worst = 0.0;
+  for (const LoopTorsion& torsion : loops_.torsions)
+    if (torsion.kind == BondTurn::ring_amide)
+      worst = std::max(worst, std::abs(torsion_now(torsion).sine));
+  return worst;
 }
 
 double LoopClosing::strain(TorsionDraw how) const {

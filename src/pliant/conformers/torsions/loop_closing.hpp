@@ -20,13 +20,16 @@ class LoopClosing {
   /// bond are kept `reach` times their least distance apart.
   LoopClosing(const BodyPlan& plan, const LoopPlan& loops, std::span<const Vec3> x, double reach);
 
-  /// Draws the torsions, which opens the loops.
-  /// Draws the torsions, which opens the loops.
+  /// Draws which amides are cis, equally often as trans.
+  void draw_amides(RandomSequence& draws);
+  /// Draws the other torsions, which opens the loops.
   void open(RandomSequence& draws, TorsionDraw how);
   /// Closes the loops approximately, without overlaps, and with usual torsions if `how` says so.
   void relax(TorsionDraw how);
   /// Closes the loops to rounding by small turns; returns false if that fails.
   bool close();
+  /// How far from planar the worst of the amides that turn is (sine of its torsion).
+  double twist() const;
   /// What relax() minimizes, without the gaps.
   double strain(TorsionDraw how) const;
 
@@ -52,7 +55,7 @@ class LoopClosing {
   Wish apart_wish(const LoopPair& pair, double length) const;
   Bend bend_of(const LoopTorsion& torsion) const;
   Turn torsion_now(const LoopTorsion& torsion) const { return bend_of(torsion).now; }
-  Turn opened(const LoopTorsion& torsion, RandomSequence& draws, TorsionDraw how) const;
+  Turn opened(std::size_t torsion, RandomSequence& draws, TorsionDraw how) const;
   Turn off_usual(std::size_t torsion, Turn now) const;
   double weight_of(const LoopTorsion& torsion, TorsionDraw how) const;
 
@@ -62,6 +65,7 @@ class LoopClosing {
   double farthest_ = 0.0;       ///< largest distance of pairs that have a term (Angstrom)
   std::vector<Vec3> x_;         ///< (places)
   std::vector<Turn> at_start_;  ///< (torsions)
+  std::vector<bool> is_cis_;    ///< (torsions) amides as drawn
   LoopEquations equations_;
 };
 

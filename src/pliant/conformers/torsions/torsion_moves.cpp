@@ -66,7 +66,10 @@ void turn_over(const AmideTurn& amide, std::span<Vec3> x) {
 
 TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
                            std::span<const Vec3> start, ConformerMoves moves)
-    : framework_(framework), plan_(plan), start_(start) {
+    : framework_(framework),
+      own_plan_(drawing_plan(framework, start, moves)),
+      plan_(own_plan_ ? *own_plan_ : plan),
+      start_(start) {
   const BondChemistry chemistry(framework, start);
   find_loops(chemistry, moves);
   find_rings(chemistry, moves.ring_systems);

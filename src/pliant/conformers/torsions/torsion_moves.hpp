@@ -7,9 +7,10 @@
 // - nitrogen of amines inverts: its smallest substituent moves to the other side of the other two
 //   bonds;
 // - tertiary amides, and others where asked, turn from cis to trans, where no bar reaches across
-// them;
-// - flexible loops (rings of seven and more) get new torsions and are closed (loop_draws.hpp), or
-//   are bent at random, step by step, if they are only known as bodies (loop_bending.hpp).
+//   them;
+// - flexible loops (rings of seven and more) get new torsions, amides in rings of nine and more
+//   among them, and are closed (loop_draws.hpp), or are bent at random, step by step, if they are
+//   only known as bodies (loop_bending.hpp).
 #pragma once
 
 #include <optional>
@@ -102,6 +103,7 @@ class TorsionMoves {
   void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x) const;
 
   const Framework& framework_;
+  std::optional<BodyPlan> own_plan_;  ///< in which amides of large rings turn, if there are some
   const BodyPlan& plan_;
   std::span<const Vec3> start_;
   std::size_t loop_bodies_ = 0;
