@@ -37,11 +37,11 @@ std::vector<Amide> turning_amides(const Framework& framework, const BondChemistr
 
 /// `framework` without the bars across its `amides` (1-4), which a turn from cis to trans
 /// would break, and across the single bonds of amidines and amides of rings of nine and more, about
-/// which rotors and loops turn. Angles at the atoms of puckered rings of five and six become limits,
-/// 0.12 Angstrom to both sides, since they change by some degrees from form to form. Heavy atoms
-/// four bonds apart may come as near as 0.9 of their least distance, since angles that cannot open
-/// bring them together; no heavy atoms four bonds and more apart come nearer than 2.68 Angstrom
-/// (overlaps of 0.08 are let be), unless they are nearer at `start` (N, Angstrom).
+/// which rotors and loops turn. Angles at the atoms of puckered rings of five and six become
+/// limits, 0.12 Angstrom to both sides, since they change by some degrees from form to form. Heavy
+/// atoms four bonds apart may come as near as 0.9 of their least distance, since angles that cannot
+/// open bring them together; no heavy atoms four bonds and more apart come nearer than 2.68
+/// Angstrom (overlaps of 0.08 are let be), unless they are nearer at `start` (N, Angstrom).
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
                               ConformerMoves moves = {});
 
