@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "pliant/base/random.hpp"
-#include "pliant/conformers/rings/ring_moves.hpp"
+#include "pliant/conformers/strain/bent_rings.hpp"
 #include "pliant/conformers/strain/conformer_energy.hpp"
 #include "pliant/conformers/strain/relaxation.hpp"
 #include "pliant/conformers/strain/strain.hpp"
-#include "pliant/conformers/strain/torsion_gradient.hpp"
-#include "pliant/conformers/torsions/conformer_framework.hpp"
 #include "pliant/jobs/sample_task.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -21,8 +19,6 @@ namespace {
 constexpr double furthest_shaken = 1.0;  // Angstrom
 constexpr std::uint64_t tries = 4;       // to shake rings and keep handedness
 constexpr double least_volume = 0.3;  // Angstrom^3, of three bonds: flatter ones have no handedness
-constexpr double whole = 1e-9, most_bent = 0.3;  // share of a bar's length
-constexpr double most_turned = 0.1;              // cosine
 
 MolecularModel molecule_model(const Structure& structure, const Log& log) {
   ModelOptions options;
@@ -106,58 +102,6 @@ void shake(const BondChemistry& chemistry, double furthest, RandomSequence& draw
   }
 }
 
-/// The largest error of a bar, as a share of its length.
-double worst_bar(const Framework& framework, std::span<const Vec3> x) {
-  double worst = 0.0;
-  for (BarIndex k = 0; k < framework.bar_count(); ++k) {
-    const double rest = framework.rest_lengths()[k];
-    const Bar bar = framework.bars()[k];
-    worst = std::max(worst, std::abs(distance(x[bar.a], x[bar.b]) / rest - 1.0));
-  }
-  return worst;
-}
-
-double torsion_cosine(std::span<const Vec3> x, const std::array<std::size_t, 4>& at) {
-  const auto found = torsion_gradient(x[at[0]], x[at[1]], x[at[2]], x[at[3]]);
-  return found ? found->cosine : 1.0;
-}
-
-/// Whether bonds between flat atoms are turned about as far as at first, to either side.
-bool keeps_flat(const FlexibleRing& ring, const BondChemistry& chemistry, const RingForm& first,
-                const RingForm& form) {
-  const auto is_flat = [&](std::size_t k) { return !chemistry.is_tetrahedral(ring.atoms[k]); };
-  for (std::size_t a = 0; a < ring.atoms.size(); ++a)
-    for (std::size_t b : ring.neighbours[a])
-      for (std::size_t i : ring.neighbours[a])
-        for (std::size_t j : ring.neighbours[b]) {
-          if (i == b || j == a || i == j || !is_flat(a) || !is_flat(b)) continue;
-          const double was = torsion_cosine(first.positions, {i, a, b, j});
-          if (std::abs(torsion_cosine(form.positions, {i, a, b, j}) - was) > most_turned)
-            return false;
-        }
-  return true;
-}
-
-/// Rings with the forms that bend bars a little: conformers of one start do not take them.
-std::vector<FlexibleRing> bent_rings(const MolecularModel& model, const BondChemistry& chemistry) {
-  const Framework framework = conformer_framework(model.framework, model.positions);
-  std::vector<FlexibleRing> found;
-  for (FlexibleRing& ring :
-       flexible_rings(framework, chemistry, model.positions, {.systems = true})) {
-    std::vector<RingForm> bent;
-    for (const RingForm& form : ring.forms) {
-      std::vector<Vec3> x = model.positions;
-      take_form(ring, form, x);
-      const double worst = worst_bar(framework, x);
-      if (worst > whole && worst < most_bent && keeps_flat(ring, chemistry, ring.forms[0], form))
-        bent.push_back(form);
-    }
-    ring.forms = std::move(bent);
-    if (!ring.forms.empty()) found.push_back(std::move(ring));
-  }
-  return found;
-}
-
 /// A conformer of a model, its rings `bent` into one form after the other by the number of the
 /// start, shaken and relaxed; corners keep their handedness, or it is empty.
 std::vector<Vec3> relaxed(const MolecularModel& model, const BondChemistry& chemistry,
@@ -194,7 +138,8 @@ std::vector<MolecularModel> conformer_starts(const Structure& structure,
   starts.push_back(molecule_model(structure, asked.log));
   if (count == 1) return starts;
   const BondChemistry chemistry(starts[0].framework, starts[0].positions);
-  const std::vector<FlexibleRing> bent = bent_rings(starts[0], chemistry);
+  const std::vector<FlexibleRing> bent =
+      bent_rings(starts[0].framework, chemistry, starts[0].positions);
   std::vector<std::vector<Vec3>> found;
   const SampleTask task(subject_of(starts[0]), torsions_asked(0, count - 1, true, asked));
   task.run([&](const Frame& frame) {

@@ -103,16 +103,24 @@ Bar longest_of(const std::vector<Bar>& pairs, std::span<const Vec3> x) {
   });
 }
 
-/// Amides in large rings that turn.
-std::vector<Amide> ring_amides(const Framework& framework, const BondChemistry& chemistry,
-                               ConformerMoves moves) {
+/// By carbon, then nitrogen.
+template <class Turns>
+std::vector<Amide> amides_where(const Framework& framework, const BondChemistry& chemistry,
+                                const Turns& turns) {
   std::vector<Amide> found;
   if (framework.atoms() == nullptr) return found;
   for (Joint c = 0; c < framework.joint_count(); ++c)
     for (const Link& bond : chemistry.bonds_at(c))
-      if (chemistry.is_ring_amide(c, bond.node, !moves.secondary_amides))
-        found.push_back({c, bond.node});
+      if (turns(c, bond.node)) found.push_back({c, bond.node});
   return found;
+}
+
+/// Amides in large rings that turn.
+std::vector<Amide> ring_amides(const Framework& framework, const BondChemistry& chemistry,
+                               ConformerMoves moves) {
+  return amides_where(framework, chemistry, [&](Joint c, Joint n) {
+    return chemistry.is_ring_amide(c, n, !moves.secondary_amides);
+  });
 }
 
 /// Without bars across amides, those of `in_rings` among them.
@@ -186,15 +194,10 @@ bool turns_by_hinges(const Framework& framework, std::span<const Vec3> start,
 
 std::vector<Amide> turning_amides(const Framework& framework, const BondChemistry& chemistry,
                                   ConformerMoves moves) {
-  std::vector<Amide> found;
-  if (framework.atoms() == nullptr) return found;
-  for (Joint c = 0; c < framework.joint_count(); ++c)
-    for (const Link& bond : chemistry.bonds_at(c))
-      if (chemistry.is_tertiary_amide(c, bond.node) ||
-          (moves.secondary_amides && chemistry.heavy_bonds_at(bond.node) == 2 &&
-           chemistry.is_amide(c, bond.node)))
-        found.push_back({c, bond.node});
-  return found;
+  return amides_where(framework, chemistry, [&](Joint c, Joint n) {
+    return chemistry.is_tertiary_amide(c, n) ||
+           (moves.secondary_amides && chemistry.heavy_bonds_at(n) == 2 && chemistry.is_amide(c, n));
+  });
 }
 
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start,
