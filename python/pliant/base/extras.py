@@ -25,6 +25,7 @@ _EXTRAS = {
     "prody": ("ProDy", "prody"),
     "rdkit": ("RDKit", "rdkit"),
     "scipy": ("SciPy", "lab"),
+    "tblite": ("tblite", "gfn2"),
     "websockets": ("websockets", "play"),
     "xarray": ("xarray", "zarr"),
     "zarr": ("Zarr", "zarr"),

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Energies of conformers: our own with a part of RDKit's MMFF94s, by its MMFF94s or UFF, or by a
-force field of OpenMM; kcal/mol.
+"""Energies of conformers: our own with a part of RDKit's MMFF94s, by its MMFF94s or UFF, by a
+force field of OpenMM, or by GFN2-xTB of tblite; kcal/mol.
 
 MMFF94s: T. A. Halgren, J. Comput. Chem. 20 (1999) 720. UFF: A. K. Rappe et al., J. Am. Chem. Soc.
-114 (1992) 10024.
+114 (1992) 10024. GFN2-xTB: C. Bannwarth et al., J. Chem. Theory Comput. 15 (2019) 1652; water as
+ALPB: S. Ehlert et al., ibid. 17 (2021) 4250.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from importlib import metadata
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,12 +31,14 @@ app = late("openmm.app")
 openmm = late("openmm")
 rdBase = late("rdkit.rdBase")
 rdkit = late("rdkit")
+tblite = late("tblite.interface")
 unit = late("openmm.unit")
 
 Positions = npt.NDArray[np.float64]
 
 MOST_STEPS = 500  #: of a minimisation of one conformer
 KJ_PER_KCAL = 4.184
+KCAL_PER_HARTREE, BOHR = 627.509474, 0.529177211  #: BOHR in Angstrom
 OWN = "Pliant's own energy, kcal/mol"
 #: of our own, beside torsions and charges of MMFF94s; and the dielectric constant of these. Against
 #: GFN2-xTB of relaxed conformers their ranks correlate better than those of either alone
@@ -50,6 +54,9 @@ class Energy:
     of: Callable[[Positions], float]  #: of (N, 3) Angstrom
     minimised: Callable[[Positions], Positions] = np.copy  #: the same atoms at a minimum near by
     own_share: float = 0.0  #: of our own, which is added
+    #: of those that are kept, instead of `of`, for one that costs more than all else; not-a-number
+    #: where it has none
+    of_kept: Callable[[Positions], float] | None = None
 
 
 def energy_of(
@@ -64,6 +71,8 @@ def energy_of(
         return None
     if name.lower().endswith(".xml"):
         return _of_openmm(name, structure)
+    if name == "GFN2":
+        return _of_gfn2(structure, molecule(), minimise)
     return _of_rdkit(name, molecule()) if minimise or name != "auto" else _beside_own(molecule)
 
 
@@ -157,3 +166,24 @@ def _of_openmm(path: str, structure: Structure) -> Energy:
         return np.array(found.value_in_unit(unit.angstrom), dtype=np.float64)
 
     return Energy(f"{path}, OpenMM {openmm.__version__}, kcal/mol", of, minimised)
+
+
+def _of_gfn2(structure: Structure, molecule: Mol, minimise: bool) -> Energy:
+    """GFN2-xTB in water, of conformers that "auto" chooses (and minimises)."""
+    chosen_by = energy_of("auto", structure, lambda: molecule, minimise)
+    if chosen_by is None:
+        chosen_by = Energy(OWN, lambda _: 0.0, own_share=1.0)
+    charge, elements = float(Chem.GetFormalCharge(molecule)), np.asarray(structure.elements)
+
+    def of(positions: Positions) -> float:
+        calculator = tblite.Calculator("GFN2-xTB", elements, positions / BOHR, charge=charge)
+        calculator.set("verbosity", 0)
+        try:
+            calculator.add("alpb-solvation", "water")
+            return float(calculator.singlepoint().get("energy")) * KCAL_PER_HARTREE
+        except RuntimeError:  # its electrons do not converge
+            return float("nan")
+
+    at = f", minimised by {chosen_by.name.split(',')[0]}" if minimise else ""
+    name = f"GFN2-xTB in water (ALPB), tblite {metadata.version('tblite')}, kcal/mol{at}"
+    return replace(chosen_by, name=name, of_kept=of)

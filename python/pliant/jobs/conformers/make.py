@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import time
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -11,7 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
-from pliant._core import InputError
+from pliant._core import InputError, PliantWarning
+from pliant.base.console import counted
 from pliant.base.said import noted
 from pliant.jobs.conformers import core
 from pliant.jobs.conformers.axes import Axis, axes_of, hands_text, said_of
@@ -59,10 +61,13 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
         with _timed(seconds, "choose"):
             kept = core.choose(subject.structure, positions, energies, options)
             positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
-        if options.minimise and energy is not None:
-            with _timed(seconds, "minimise"):
-                positions = np.array([energy.minimised(one) for one in positions])
-                energies = np.array([energy.of(one) for one in positions])
+        if energy is not None and (options.minimise or energy.of_kept):
+            with _timed(seconds, "minimise" if options.minimise else "energy"):
+                if options.minimise:
+                    positions = np.array([energy.minimised(one) for one in positions])
+                energies = np.array([(energy.of_kept or energy.of)(one) for one in positions])
+                kept = _with_energy(energies, energy.name)
+                positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
                 kept = core.choose(subject.structure, positions, energies, options)
                 positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
     has_energy = options.energy != "none"
@@ -117,6 +122,18 @@ def items_of(made: Made, k: int) -> list[tuple[str, str]]:
 def _table(positions: npt.NDArray[np.float64]) -> str:
     """A line for each atom, Angstrom."""
     return "\n".join(f"{x:.4f} {y:.4f} {z:.4f}" for x, y, z in positions)
+
+
+def _with_energy(energies: npt.NDArray[np.float64], name: str) -> npt.NDArray[np.int64]:
+    """Numbers of those that have one; a note counts others. Raises InputError if none has."""
+    kept = np.flatnonzero(np.isfinite(energies))
+    without, method = len(energies) - len(kept), name.split(",")[0]
+    if len(kept) == 0:
+        raise InputError(f"{method}: no energy of {counted(without, 'conformer')}")
+    if without:
+        left = f"{counted(without, 'conformer')} left out: {method} does not converge"
+        warnings.warn(left, PliantWarning, stacklevel=2)
+    return kept
 
 
 @contextmanager

@@ -11,8 +11,9 @@ from pliant._core import FileError, OptionError, conformer_options, job_rows
 from pliant.base.extras import need
 from pliant.base.refusals import shown
 
-ENERGIES = ("auto", "none", "MMFF94s", "UFF", "own")
-OF_RDKIT = ("MMFF94s", "UFF")
+ENERGIES = ("auto", "none", "MMFF94s", "UFF", "own", "GFN2")
+#: the packages that some need
+_PACKAGES = {"MMFF94s": ["rdkit"], "UFF": ["rdkit"], "GFN2": ["rdkit", "tblite"]}
 ROWS = job_rows("conformers")
 #: how the command calls each
 _OPTIONS = {row["name"]: row.get("opposite", row["name"]) for row in ROWS}
@@ -68,8 +69,7 @@ class ConformerOptions(SimpleNamespace):
                 f"{dashes}energy: expected {known} or a force field of OpenMM (.xml), found "
                 f"{shown(self.energy)}"
             )
-        if self.energy in OF_RDKIT:
-            need(asked, "rdkit")
+        need(asked, *_PACKAGES.get(self.energy, []))
         if self.window and self.energy == "none":
             raise OptionError(f"{dashes}window: needs an energy, not {dashes}energy none")
         if self.minimise and self.energy in ("none", "own"):

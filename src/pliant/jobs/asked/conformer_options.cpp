@@ -46,7 +46,8 @@ const OptionField<ConformerOptions> table[] = {
     {{.name = "energy",
       .summary = "rank by own (penalises unusual torsions and close atoms), MMFF94s or UFF (of\n"
                  "RDKit), auto (own with torsions and damped charges of MMFF94s where RDKit is\n"
-                 "installed, else own), none, or a force field of OpenMM (FILE.xml)",
+                 "installed, else own), GFN2 (xTB in water, by tblite, of those that auto\n"
+                 "chooses), none, or a force field of OpenMM (FILE.xml)",
       .kind = "NAME"},
      at<&ConformerOptions::energy>},
     {{.name = "minimise",
