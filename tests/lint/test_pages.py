@@ -9,7 +9,12 @@ LONGEST_README = 120  # lines
 HELP = ROOT / "tests" / "cli" / "help"
 PAGE = ROOT / "docs" / "pages" / "commands.md"
 CALLED_BY_OTHERS = {"rigidity-page"}  # scripts that a command of the table calls
-NOT_FOR_USERS = {"test-all", "plot", "docs", "test"}  # extras that others take in, or that ./dev installs
+NOT_FOR_USERS = {
+    "test-all",
+    "plot",
+    "docs",
+    "test",
+}  # extras that others take in, or that ./dev installs
 
 
 def groups_of_help():

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Conformers of drugs by tools of others: PoseBusters' checks, GFN2-xTB's energies."""
 
+import os
 import warnings
 from functools import cache
 
@@ -15,6 +16,7 @@ from rdkit import Chem
 from rdkit.Chem import rdDistGeom
 from rdkit.Chem import rdForceFieldHelpers as ForceFields
 
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # of tblite, which is loaded later
 BOHR, KCAL = 0.529177211, 627.509474
 DRUGS = {
     "amlodipine": "CCOC(=O)C1=C(COCCN)NC(C)=C(C(=O)OC)C1c1ccccc1Cl",
@@ -38,16 +40,17 @@ DRUGS = {
 
 #: for GFN2: six of them, for it takes long
 SOME = ("atenolol", "bupropion", "captopril", "citalopram", "sulfamethoxazole", "warfarin")
+FEW = 20
 FLAT = "non-aromatic_ring_non-flatness"
 #: MMFF94s and GFN2-xTB both have its dihydropyridine flat, which PoseBusters takes for a fault
 FLAT_RINGS = {"amlodipine": {FLAT}}
 
 
 @cache
-def conformers_of(name, energy="auto"):
+def conformers_of(name, energy="auto", count=50):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", pliant.PliantWarning)  # on centres that are left open
-        return pliant.conformers(DRUGS[name], energy=energy)
+        return pliant.conformers(DRUGS[name], count, energy=energy)
 
 
 def each_alone(molecule):
@@ -83,7 +86,7 @@ def as_they_come(molecule):
 
 def ranking(name, energy):
     """Spearman's rank correlation with GFN2 after 50 steps of MMFF94s."""
-    made = conformers_of(name, energy)
+    made = conformers_of(name, energy, FEW)
     ours = [one.GetDoubleProp("pliant_energy") for one in made.GetConformers()]
     theirs = [gfn2(made, positions) for positions in relaxed(made, 50)]
     return np.corrcoef(np.argsort(np.argsort(ours)), np.argsort(np.argsort(theirs)))[0, 1]
@@ -107,7 +110,7 @@ def test_ranks_are_those_of_gfn2_as_far_as_the_page_says():
 def test_strain_by_gfn2_is_below_that_of_etkdg():
     ours, theirs = [], []
     for name in SOME:
-        made, options = conformers_of(name), rdDistGeom.ETKDGv3()
+        made, options = conformers_of(name, count=10), rdDistGeom.ETKDGv3()
         options.randomSeed = 1
         others = Chem.Mol(made, True)
         rdDistGeom.EmbedMultipleConfs(others, 10, options)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from pliant._core import InputError, OptionError
+from pliant.base.csv_cells import write_csv
 from pliant.base.input_files import file_digest
 from pliant.jobs.conformers.journal import Journal
 from pliant.jobs.conformers.options import ConformerOptions
@@ -20,6 +21,7 @@ from pliant.jobs.conformers.repeated import Repeated
 from pliant.jobs.conformers.workers import Outcome, outcomes
 
 OnDone = Callable[[Outcome], None]
+FAILURE = ("number", "name", "reason")
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,23 @@ class LibraryDone:
         return [one for one in self.outcomes if one.reason]
 
     @property
+    def failures(self) -> Path:
+        """A table of the records that failed, beside the output; is there if some of several did.
+
+        Numbers are those of the library, so that the tables of shards can be put together.
+        """
+        name = self.output.name
+        return self.output.with_name(f"{name[: name.lower().rindex('.sdf')]}-failed.csv")
+
+    def write_failures(self) -> None:
+        """An earlier table of the same name goes."""
+        if self.failed and len(self.outcomes) > 1:
+            columns = {at: [getattr(one, at) for one in self.failed] for at in FAILURE}
+            write_csv(self.failures, columns)
+        else:
+            self.failures.unlink(missing_ok=True)
+
+    @property
     def done(self) -> list[Outcome]:
         """Those with conformers."""
         return [one for one in self.outcomes if not one.reason]
@@ -95,10 +114,7 @@ class LibraryDone:
             "resumed": self.resumed,
             "seconds": self.seconds,
             "cpu_seconds": self.cpu(),
-            "failed": [
-                {"number": one.number, "name": one.name, "reason": one.reason}
-                for one in self.failed
-            ],
+            "failed": [{at: getattr(one, at) for at in FAILURE} for one in self.failed],
             "made": [
                 {
                     "number": one.number,
@@ -164,8 +180,10 @@ def complete(journal: Journal, threads: int | None, on_done: OnDone) -> LibraryD
             outcome.warnings += repeated.warnings(outcome.smiles, outcome.called)
             journal.add(outcome)
             on_done(outcome)
+        found = LibraryDone(source, options, journal.output, journal.outcomes, 0.0, resumed)
+        found.write_failures()
         journal.publish()
     finally:
         journal.close()
-    seconds = time.monotonic() - began
-    return LibraryDone(source, options, journal.output, journal.outcomes, seconds, resumed)
+    found.seconds = time.monotonic() - began
+    return found

@@ -33,6 +33,8 @@ def lines_of(found: LibraryDone) -> list[str]:
 
 def _molecules(found: LibraryDone) -> str:
     text = f"{len(found.done)} done, {len(found.failed)} failed"
+    if found.failed:
+        text += f" ({printable_name(found.failures)})"
     salts = sum(any(note.endswith(SALT) for note in one.notes) for one in found.done)
     if salts:
         text += f"; the largest component was kept of {counted(salts, 'record')} with several"

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import gzip
+import os
 import re
 import signal
 from collections.abc import Iterable, Iterator
@@ -126,6 +127,7 @@ class _Worker:
 def _serve(ours: Connection, options: ConformerOptions, is_zipped: bool) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent
     end_with_parent()
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for tblite: there is a worker for each core
     while True:
         try:
             record = ours.recv()
