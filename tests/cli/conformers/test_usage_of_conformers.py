@@ -40,8 +40,8 @@ def two(tmp_path):
         ("{} --energy none --window 2", "--window: needs an energy, not --energy none"),
         (
             "{} --energy GAFF",
-            "--energy: expected auto, none, MMFF94s, UFF, own, GFN2 or a force field of OpenMM (.xml), "
-            "found 'GAFF'",
+            "--energy: expected auto, none, MMFF94s, UFF, own, GFN2 or a force field of "
+            "OpenMM (.xml), found 'GAFF'",
         ),
         (
             "{} --energy none --minimise",
