@@ -96,21 +96,6 @@ def test_the_report_has_seven_lines(pliant, with_broken):
     assert "warning: record 7 (broken): " in ended.err
 
 
-def test_tables_of_failures_have_the_numbers_of_the_library(pliant, with_broken, tmp_path):
-    for shard in (1, 2):
-        out = f"part{shard}.SDF.gz"
-        pliant("conformers", with_broken, "-o", out, *FAST, "--shard", f"{shard}/2")
-    assert (tmp_path / "part1-failed.csv").read_text() == (
-        "number,name,reason\n"
-        '7,broken,"line 5: atom 1 of 1: x (columns 1-10) ""not an ato"" is not a finite number"\n'
-    )
-    assert not (tmp_path / "part2-failed.csv").exists()
-    whole = library(1)
-    (tmp_path / "whole.sdf").write_text(whole)
-    pliant("conformers", "whole.sdf", "-o", "part1.SDF.gz", *FAST, "--overwrite")
-    assert not (tmp_path / "part1-failed.csv").exists()
-
-
 def test_bytes_do_not_depend_on_threads_or_compression(pliant, with_broken, tmp_path):
     pliant("conformers", with_broken, "-o", "one.sdf", *FAST, "--threads", 1)
     text = (tmp_path / with_broken).read_bytes()
