@@ -174,6 +174,7 @@ def test_an_error_of_a_file_is_one_line(tmp_path, capsys):
     assert f"{path}:1: sigma: expected a number above 0, found '0'" in lines[0]
 
 
+@pytest.mark.long
 def test_the_same_seed_gives_the_same_bits(profiles, tmp_path):
     path = measured(tmp_path / "c.dat", mixture(profiles)[0])
     one, other = (pliant.fit(OPEN, saxs=path, frames=50, ensemble=True) for _ in range(2))
