@@ -11,6 +11,7 @@ constexpr DrawnByEntry drawn_by_rows[] = {
     {DrawnBy::turns, "turns", false},
     {DrawnBy::turns_with_modes, "turns_with_modes", false},
     {DrawnBy::pocket, "pocket", false},
+    {DrawnBy::ligand, "ligand", false},
 };
 
 constexpr bool are_by_number(std::span<const DrawnByEntry> rows) {

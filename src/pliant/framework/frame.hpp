@@ -30,6 +30,7 @@ enum class DrawnBy : std::uint8_t {
   turns,             ///< domains turned
   turns_with_modes,  ///< in files of earlier versions: with a draw of the modes inside them
   pocket,            ///< a place opened or closed, with a draw of the modes
+  ligand,            ///< the same, and a ligand in it has other torsions
 };
 
 struct DrawnByEntry {

@@ -6,6 +6,8 @@
 #include "pliant/sample/loops/loop_moves.hpp"
 #include "pliant/sample/modes_sampler.hpp"
 #include "pliant/sample/network/network_modes.hpp"
+#include "pliant/sample/pocket/held_contacts.hpp"
+#include "pliant/sample/pocket/ligand_moves.hpp"
 #include "pliant/sample/pocket/pocket.hpp"
 #include "pliant/sample/pocket/pocket_turns.hpp"
 #include "pliant/sample/pocket/side_chain_moves.hpp"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr int attempts_at_half = 2;     // after so many attempts in vain moves are half as large
 constexpr int attempts_at_pocket = 12;  // after so many only the modes move
+constexpr int most_poses = 6;           // of ligands, until side chains have made room
 
 /// (M) which nodes have joints of a place.
 std::vector<bool> nodes_in(const Pocket& place, const std::vector<std::uint32_t>& of_joint,
@@ -36,9 +39,35 @@ std::vector<bool> residues_in(const Pocket& place, const Framework& framework) {
   return in_place;
 }
 
+std::vector<std::uint8_t> held_in(const Pocket& place, const BondChemistry& chemistry,
+                                  const Framework& framework, const SampleOptions& options) {
+  if (place.ligand.empty()) return {};
+  std::vector<bool> is_ligand(framework.joint_count(), false);
+  for (const Joint joint : place.ligand) is_ligand[joint] = true;
+  return held_contacts(framework, chemistry, is_ligand, options.hold);
+}
+
+/// The residues of contacts that are held.
+std::vector<std::uint32_t> residues_of(const std::vector<std::uint8_t>& held,
+                                       const Framework& framework) {
+  std::vector<std::uint32_t> out;
+  for (std::size_t k = 0; k < held.size(); ++k)
+    for (const Joint joint : {framework.limits()[k].a, framework.limits()[k].b})
+      if (held[k] != 0) out.push_back(framework.atoms()->residue_of[joint]);
+  return out;
+}
+
+std::vector<bool> turned_by(const SideChainMoves& side_chains, std::size_t joints) {
+  std::vector<bool> out(joints, false);
+  for (const SideChain& one : side_chains.side_chains())
+    for (const Joint joint : one.torsions.front().turning) out[joint] = true;
+  return out;
+}
+
 /// Side chains of the place are redrawn from rotamers, segments and domains beside it turn, or
-/// loops that touch it are redrawn, and all goes along a draw of the modes. Contacts that this
-/// would tear are let go.
+/// loops that touch it are redrawn, and all goes along a draw of the modes. A ligand gets other
+/// torsions first, and side chains make room. Contacts that this would tear are let go, but for
+/// those of the ligand that are held.
 class PocketSampler final : public Sampler {
  public:
   explicit PocketSampler(const SamplerSetting& setting);
@@ -48,6 +77,7 @@ class PocketSampler final : public Sampler {
            FrameRequest& request) const override;
 
  private:
+  void draw_side_chains(RandomSequence& draws, double share, FrameRequest& request) const;
   void turn(const DrawnTurns& turned, const std::vector<Vec3>& moves, FrameRequest& request) const;
   void redraw_loops(std::int64_t frame, int attempt, std::vector<Vec3>& x) const;
   void let_go(std::span<const Vec3> without_modes, FrameRequest& request) const;
@@ -59,7 +89,10 @@ class PocketSampler final : public Sampler {
   Pocket place_;
   PocketTurns turns_;
   LoopMoves loops_;
+  BondChemistry chemistry_;
+  std::vector<std::uint8_t> held_;  ///< (L), or empty
   SideChainMoves side_chains_;
+  LigandMoves ligand_;
   ModesSampler modes_;
   std::uint64_t seed_;
 };
@@ -75,7 +108,11 @@ PocketSampler::PocketSampler(const SamplerSetting& setting, const NetworkModes& 
       place_(pocket_around(framework_, start_, setting.options.around_joints)),
       turns_(nodes_, modes, nodes_in(place_, of_joint_, nodes_.positions.size())),
       loops_(framework_, setting.plan, start_, residues_in(place_, framework_)),
-      side_chains_(framework_, setting.plan, start_, place_),
+      chemistry_(framework_, start_),
+      held_(held_in(place_, chemistry_, framework_, setting.options)),
+      side_chains_(framework_, setting.plan, start_, place_, residues_of(held_, framework_)),
+      ligand_(framework_, setting.plan, start_, place_.ligand, chemistry_, held_,
+              turned_by(side_chains_, start_.size())),
       modes_(setting, modes),
       seed_(setting.options.seed) {}
 
@@ -91,11 +128,25 @@ void PocketSampler::ask(std::int64_t frame, int, int attempt, std::span<const Ve
   DrawnTurns turned;
   if (attempt < attempts_at_pocket) {
     const double scale = double(attempts_at_half) / double(attempts_at_half + attempt);
-    side_chains_.redraw(draws, scale * draws.uniform(), request.from);
+    draw_side_chains(draws, scale * draws.uniform(), request);
     turned = turns_.draw(draws, scale);
     if (turned.tree == nullptr) redraw_loops(frame, attempt, request.from);
   }
   turn(turned, moves, request);
+}
+
+void PocketSampler::draw_side_chains(RandomSequence& draws, double share,
+                                     FrameRequest& request) const {
+  for (int k = 0; k < most_poses && !ligand_.molecules().empty(); ++k) {
+    std::vector<Vec3> x = request.from;
+    if (!ligand_.redraw(draws, x)) continue;
+    side_chains_.make_room(draws, share, x);
+    if (!ligand_.fits(x)) continue;
+    request.from.swap(x);
+    request.drawn_by = DrawnBy::ligand;
+    return;
+  }
+  side_chains_.redraw(draws, share, request.from);
 }
 
 void PocketSampler::redraw_loops(std::int64_t frame, int attempt, std::vector<Vec3>& x) const {
@@ -129,6 +180,8 @@ void PocketSampler::let_go(std::span<const Vec3> without_modes, FrameRequest& re
   for (std::size_t k = 0; k < torn.size(); ++k)
     if (place_.has_joint[limits[k].a] || place_.has_joint[limits[k].b])
       request.limits_off[k] |= torn[k];
+  for (std::size_t k = 0; k < held_.size(); ++k)
+    if (held_[k] != 0) request.limits_off[k] = 0;
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ struct SampleOptions {
   /// Selection of atoms, for `pocket`: frames open or close the place around them; "": everywhere.
   std::string around = {};
   std::vector<std::uint32_t> around_joints = {};  ///< what `around` selects, ascending
+  /// Contacts of a ligand that `around` selects which all frames keep: kinds, `all` or `none`.
+  std::vector<std::string> hold = {"metal", "salt_bridge"};
   /// kcal/mol, for `dilute`: a contact of energy E is off with probability exp(-|E| / this).
   double contact_energy = 3.0;
   bool ring_systems = true;  ///< for `torsions`: rings that share bonds take other forms

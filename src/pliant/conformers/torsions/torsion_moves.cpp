@@ -39,6 +39,16 @@ Turn usual_turn(const Rotor& rotor, RandomSequence& draws, std::span<const Vec3>
 
 }  // namespace
 
+void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x) {
+  const Vec3 origin = x[rotor.b], axis = unit(x[rotor.b] - x[rotor.a]);
+  const Turn by = how == TorsionDraw::uniform && !stays(rotor.kind) ? drawn_angle(draws)
+                                                                    : usual_turn(rotor, draws, x);
+  for (Joint joint : rotor.turning) {
+    const Vec3 r = x[joint] - origin;
+    x[joint] = turned(origin, r, axis, by);
+  }
+}
+
 /// The bond that moves becomes its mirror image in the plane of the other two, by the shortest
 /// turn.
 void invert(const Amine& amine, std::span<Vec3> x) {
@@ -249,17 +259,6 @@ void TorsionMoves::draw_rings(RandomSequence& draws, std::span<Vec3> x) const {
 
 void TorsionMoves::turn_rotors(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const {
   for (const Rotor& rotor : rotors_) turn(rotor, how, draws, x);
-}
-
-void TorsionMoves::turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws,
-                        std::span<Vec3> x) const {
-  const Vec3 origin = x[rotor.b], axis = unit(x[rotor.b] - x[rotor.a]);
-  const Turn by = how == TorsionDraw::uniform && !stays(rotor.kind) ? drawn_angle(draws)
-                                                                    : usual_turn(rotor, draws, x);
-  for (Joint joint : rotor.turning) {
-    const Vec3 r = x[joint] - origin;
-    x[joint] = turned(origin, r, axis, by);
-  }
 }
 
 }  // namespace pliant

@@ -100,7 +100,6 @@ class TorsionMoves {
   bool is_own(Slot place) const { return plan_.place_of(plan_.joint_at()[place]) == place; }
   bool holds_bars(std::span<const Vec3> x) const;
   bool holds_limits(std::span<const Bar> pairs, std::span<const Vec3> x) const;
-  void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x) const;
 
   const Framework& framework_;
   std::optional<BodyPlan> own_plan_;  ///< in which amides of large rings turn, if there are some
@@ -116,6 +115,9 @@ class TorsionMoves {
   std::vector<Amine> amines_;
   std::vector<AmideTurn> amides_;
 };
+
+/// Draws the torsion of a rotor of x (N).
+void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x);
 
 /// Inverts nitrogen in x (N).
 void invert(const Amine& amine, std::span<Vec3> x);

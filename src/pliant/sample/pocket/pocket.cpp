@@ -34,11 +34,20 @@ std::vector<bool> near_residues(const AtomTable& atoms, std::span<const Vec3> st
   return is_near;
 }
 
+std::vector<Joint> whole_residues(const AtomTable& atoms, std::span<const Joint> selected) {
+  std::vector<bool> is_taken(atoms.residues.size(), false);
+  for (const Joint joint : selected) is_taken[atoms.residue_of[joint]] = true;
+  std::vector<Joint> out;
+  for (Joint k = 0; k < atoms.size(); ++k)
+    if (is_taken[atoms.residue_of[k]]) out.push_back(k);
+  return out;
+}
+
 }  // namespace
 
 Pocket pocket_around(const Framework& framework, std::span<const Vec3> start,
                      std::span<const Joint> selected) {
-  Pocket place{{}, std::vector<bool>(framework.joint_count(), framework.atoms() == nullptr)};
+  Pocket place{{}, std::vector<bool>(framework.joint_count(), framework.atoms() == nullptr), {}};
   if (framework.atoms() == nullptr) return place;
   const AtomTable& atoms = *framework.atoms();
   const std::vector<bool> is_amino_acid = amino_acids(atoms);
@@ -46,6 +55,7 @@ Pocket pocket_around(const Framework& framework, std::span<const Vec3> start,
   for (const Joint joint : selected)
     if (is_amino_acid[atoms.residue_of[joint]]) is_taken[atoms.residue_of[joint]] = true;
   if (std::ranges::find(is_taken, true) == is_taken.end()) {
+    place.ligand = whole_residues(atoms, selected);
     is_taken = near_residues(atoms, start, selected);
     for (std::size_t r = 0; r < is_taken.size(); ++r) is_taken[r] = is_taken[r] && is_amino_acid[r];
   }

@@ -16,6 +16,7 @@ inline constexpr double place_distance = 6.0;  ///< Angstrom, between atoms othe
 struct Pocket {
   std::vector<std::uint32_t> residues;  ///< of the atom table, ascending
   std::vector<bool> has_joint;          ///< (N)
+  std::vector<Joint> ligand;            ///< if no protein is selected: all of the residues that are
 };
 
 /// The residues of proteins among the selected atoms; if there are none (a ligand), those with an

@@ -2,6 +2,7 @@
 #include "pliant/sample/pocket/side_chain_moves.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string_view>
 
@@ -84,19 +85,21 @@ void draw_torsions(const SideChain& side_chain, RandomSequence& draws, std::span
 }  // namespace
 
 SideChainMoves::SideChainMoves(const Framework& framework, const BodyPlan& plan,
-                               std::span<const Vec3> start, const Pocket& place) {
+                               std::span<const Vec3> start, const Pocket& place,
+                               std::span<const std::uint32_t> residues_that_stay) {
   if (framework.atoms() == nullptr) return;
   const AtomTable& atoms = *framework.atoms();
   const std::vector<SideChainTorsion> turns = turns_in_residues(plan, atoms);
   std::vector<std::vector<Joint>> of_residue(atoms.residues.size());
   for (Joint k = 0; k < atoms.size(); ++k) of_residue[atoms.residue_of[k]].push_back(k);
   for (const std::uint32_t residue : place.residues) {
+    if (std::ranges::find(residues_that_stay, residue) != residues_that_stay.end()) continue;
     const std::string_view name = amino_acid_of(atoms.residues[residue].name);
     add(joints_along(atoms, of_residue[residue], atoms_along_side_chain(name)), name, turns);
   }
   if (framework.sterics() == nullptr) return;
   rules_.emplace(framework);
-  find_surroundings(start);
+  find_surroundings(start, place.ligand);
 }
 
 /// Adds the torsions about the bonds along `atoms`, as far as they turn.
@@ -115,8 +118,8 @@ void SideChainMoves::add(std::span<const Joint> atoms, std::string_view residue,
   if (!found.torsions.empty()) side_chains_.push_back(std::move(found));
 }
 
-/// All that may come near, however both turn.
-void SideChainMoves::find_surroundings(std::span<const Vec3> start) {
+/// All that may come near, however both turn. A ligand may be anywhere.
+void SideChainMoves::find_surroundings(std::span<const Vec3> start, std::span<const Joint> ligand) {
   std::vector<double> reach(start.size(), 0.0);  // from where a joint hangs on the backbone
   std::vector<Vec3> base(start.begin(), start.end());
   const auto reach_of = [](const SideChain& one) {
@@ -127,6 +130,7 @@ void SideChainMoves::find_surroundings(std::span<const Vec3> start) {
       reach[joint] = reach_of(one);
       base[joint] = start[one.torsions.front().b];
     }
+  for (const Joint joint : ligand) reach[joint] = HUGE_VAL;
   for (SideChain& one : side_chains_) {
     const Vec3 centre = start[one.torsions.front().b];
     for (Joint k = 0; k < start.size(); ++k)
@@ -148,19 +152,25 @@ bool SideChainMoves::fits(const SideChain& side_chain, std::span<const Vec3> x) 
 }
 
 void SideChainMoves::redraw(RandomSequence& draws, double share, std::span<Vec3> x) const {
-  for (const SideChain& side_chain : side_chains_) {
-    if (draws.uniform() >= share) continue;
-    const std::span<const Joint> turning = side_chain.torsions.front().turning;
-    std::vector<Vec3> before;
-    for (const Joint joint : turning) before.push_back(x[joint]);
-    bool is_good = false;
-    for (int k = 0; k < most_draws && !is_good; ++k) {
-      draw_torsions(side_chain, draws, x);
-      is_good = fits(side_chain, x);
-    }
-    if (is_good) continue;
-    for (std::size_t k = 0; k < turning.size(); ++k) x[turning[k]] = before[k];
+  for (const SideChain& side_chain : side_chains_)
+    if (draws.uniform() < share) redraw(side_chain, draws, x);
+}
+
+void SideChainMoves::make_room(RandomSequence& draws, double share, std::span<Vec3> x) const {
+  for (const SideChain& side_chain : side_chains_)
+    if (draws.uniform() < share || !fits(side_chain, x)) redraw(side_chain, draws, x);
+}
+
+void SideChainMoves::redraw(const SideChain& side_chain, RandomSequence& draws,
+                            std::span<Vec3> x) const {
+  const std::span<const Joint> turning = side_chain.torsions.front().turning;
+  std::vector<Vec3> before;
+  for (const Joint joint : turning) before.push_back(x[joint]);
+  for (int k = 0; k < most_draws; ++k) {
+    draw_torsions(side_chain, draws, x);
+    if (fits(side_chain, x)) return;
   }
+  for (std::size_t k = 0; k < turning.size(); ++k) x[turning[k]] = before[k];
 }
 
 }  // namespace pliant

@@ -30,20 +30,24 @@ struct SideChain {
 
 class SideChainMoves {
  public:
-  /// Side chains of a place that rotate freely: those bridged to others stay. All must outlive it.
+  /// Side chains of a place that rotate freely: those bridged to others stay, and those of
+  /// `residues_that_stay`. All must outlive it.
   SideChainMoves(const Framework& framework, const BodyPlan& plan, std::span<const Vec3> start,
-                 const Pocket& place);
+                 const Pocket& place, std::span<const std::uint32_t> residues_that_stay = {});
 
   std::span<const SideChain> side_chains() const { return side_chains_; }
 
   /// Redraws each side chain of `x` (N, Angstrom) with probability `share`. One that overlaps with
   /// others in each of several draws stays. Several threads may call it at once.
   void redraw(RandomSequence& draws, double share, std::span<Vec3> x) const;
+  /// The same, and each that overlaps with others is redrawn.
+  void make_room(RandomSequence& draws, double share, std::span<Vec3> x) const;
 
  private:
+  void redraw(const SideChain& side_chain, RandomSequence& draws, std::span<Vec3> x) const;
   void add(std::span<const Joint> atoms, std::string_view residue,
            std::span<const SideChainTorsion> turns);
-  void find_surroundings(std::span<const Vec3> start);
+  void find_surroundings(std::span<const Vec3> start, std::span<const Joint> ligand);
   bool fits(const SideChain& side_chain, std::span<const Vec3> x) const;
 
   std::optional<LeastDistances> rules_;

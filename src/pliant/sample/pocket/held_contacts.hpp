@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The contacts of a ligand that all frames keep.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/conformers/rings/bond_chemistry.hpp"
+#include "pliant/framework/framework.hpp"
+
+namespace pliant {
+
+/// What `hold` may name besides kinds of contacts.
+inline constexpr std::string_view hold_all = "all", hold_none = "none";
+
+/// Throws OptionError naming a word that is no kind of contact, `all` or `none`.
+void check_hold(std::span<const std::string> hold);
+
+/// (L) 1: the limit belongs to a contact of a joint that is_ligand (N), of a kind that `hold`
+/// names. A metal that is held keeps its other contacts, too. Salt bridges are told from hydrogen
+/// bonds by the charges of their groups: ammonium or guanidinium, and carboxylate, phosphate or
+/// sulfate.
+std::vector<std::uint8_t> held_contacts(const Framework& framework, const BondChemistry& chemistry,
+                                        const std::vector<bool>& is_ligand,
+                                        std::span<const std::string> hold);
+
+}  // namespace pliant
