@@ -84,6 +84,12 @@ std::string next_text(const std::string& output) {
 
 }  // namespace
 
+std::string ligand_text(const Job& job, const SampleSummary& summary) {
+  return fmt::format("other torsions drawn in {} of {}; its contacts held: {}",
+                     summary.ligand_frames, numbered(std::size_t(summary.frames), "frame"),
+                     fmt::join(job.sample.hold, ", "));
+}
+
 void print_sample_lines(const Job& job, const SampledSystem& system, const SampleSummary& summary) {
   print_line("molecule", molecule_text(job, system));
   if (!system.left_out.empty())
@@ -96,6 +102,7 @@ void print_sample_lines(const Job& job, const SampledSystem& system, const Sampl
   if (const auto residues = pocket_of(job, system); !residues.empty())
     print_line("pocket", fmt::format("{}: {}", numbered(residues.size(), "residue"),
                                      fmt::join(residues, ", ")));
+  if (summary.ligand_frames > 0) print_line("ligand", ligand_text(job, summary));
   print_line("frames", frames_text(job, summary));
   print_line("quality", quality_text(summary));
   const bool has_topology = job.output.topology != "none";

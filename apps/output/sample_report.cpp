@@ -95,6 +95,8 @@ void print_all(const Job& job, const SampledSystem& system, const SampleSummary&
   conformations ? print_conformations(*conformations) : print_amplitude(system, summary);
   if (const auto residues = pocket_of(job, system); !residues.empty())
     fmt::print("pocket          {} residues: {}\n", residues.size(), listed(residues));
+  if (summary.ligand_frames > 0)
+    fmt::print("ligand          {}\n", ligand_text(job, summary));
   if (summary.near_frames > 0)
     fmt::print(
         "RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
@@ -140,6 +142,7 @@ void print_json_of(const Job& job, const SampledSystem& system, const SampleSumm
                   {"atropisomers", moving.atropisomers},
                   {"loop_units", moving.loop_bodies},
                   {"pocket", pocket_of(job, system)},
+                  {"ligand_frames", summary.ligand_frames},
                   {"let_go_mean", summary.mean_let_go},
                   {"redrawn", summary.redrawn},
                   {"rescued", summary.rescued},

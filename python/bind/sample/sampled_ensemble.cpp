@@ -50,6 +50,9 @@ void bind_summary(nb::class_<T>& to) {
         "redrawn", [](const T& self) { return summary_of(self).redrawn; },
         "Frames whose first draw could not be resolved.")
       .def_prop_ro(
+          "ligand_frames", [](const T& self) { return summary_of(self).ligand_frames; },
+          "Frames in which the ligand of ``around`` has other torsions.")
+      .def_prop_ro(
           "failed", [](const T& self) { return summary_of(self).failed; },
           "Frames that no draw gave; they are left out.")
       .def_prop_ro(

@@ -26,17 +26,23 @@ bool is_near_alone(const SampleOptions& options) {
   return options.near_frames >= options.first_frame + options.frames;
 }
 
-/// What `around` selects. Throws OptionError if that is no place in a protein.
+/// What `around` selects, and whether `hold` has a ligand there. Throws OptionError if that is no
+/// place in a protein.
 void find_place(const SampleSubject& subject, std::string_view dashes, SampleOptions& options) {
   const std::string name = std::string(dashes) + "around";
   options.around_joints = select_joints(subject.framework, options.around, name);
-  if (options.around.empty()) return;
-  if (!find_sampler(options.sampler).has_place)
-    throw OptionError(
-        name + ": goes with sampler " +
-        std::string(std::ranges::find(samplers(), true, &SamplerEntry::has_place)->name) +
-        ", not with " + options.sampler);
-  pocket_around(subject.framework, subject.start, options.around_joints);
+  bool has_ligand = false;
+  if (!options.around.empty()) {
+    if (!find_sampler(options.sampler).has_place)
+      throw OptionError(
+          name + ": goes with sampler " +
+          std::string(std::ranges::find(samplers(), true, &SamplerEntry::has_place)->name) +
+          ", not with " + options.sampler);
+    const auto& joints = options.around_joints;
+    has_ligand = !pocket_around(subject.framework, subject.start, joints).ligand.empty();
+  }
+  if (!has_ligand && options.hold != SampleOptions{}.hold)
+    throw OptionError(std::string(dashes) + "hold: goes with a ligand that " + name + " selects");
 }
 
 void choose_sampler(const SampleSubject& subject, SampleOptions& options) {

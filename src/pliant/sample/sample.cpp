@@ -186,6 +186,7 @@ class Sampling {
     }
     ++summary_.frames;
     summary_.rescued += made.is_rescued ? 1 : 0;
+    summary_.ligand_frames += made.drawn_by == DrawnBy::ligand ? 1 : 0;
     summary_.mean_off_target += made.off_target;
     summary_.mean_let_go += double(contacts_.off(made.limits_off));
     summary_.max_limit = std::max(summary_.max_limit, made.result.max_limit);

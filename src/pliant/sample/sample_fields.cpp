@@ -7,6 +7,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/sample/pocket/held_contacts.hpp"
 #include "pliant/sample/pocket/pocket.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -42,11 +43,18 @@ const std::string near_text =
 const std::string around_text =
     "open or close the site around these atoms (--sampler pocket): the protein\n"
     "residues selected, or, if none is " +
-    near_text;
+    near_text + ";\nthe ligand itself gets other torsions";
 const std::string around_in_python =
     "Selection of atoms: frames open or close the site around them (sampler ``pocket``): the\n"
     "protein residues selected, or, if none is " +
-    near_text + ".";
+    near_text + ".\nThe ligand itself gets other torsions.";
+
+const std::string hold_text =
+    "contacts that the ligand of --around keeps in all frames (default metal,salt_bridge):\n" +
+    hold_names() + "; others are let go where\nits new torsions tear them";
+const std::string hold_in_python =
+    "Contacts that the ligand of ``around`` keeps in all frames: " + hold_names("``") +
+    ".\nOthers are let go where its new torsions tear them.";
 
 template <auto... Members>
 constexpr auto at = place_at<SampleOptions, Members...>;
@@ -126,6 +134,12 @@ const SampleField table[] = {
       .in_python = around_in_python,
       .users = {.page = false}},
      at<&SampleOptions::around>},
+    {{.name = "hold",
+      .group = group,
+      .summary = hold_text,
+      .in_python = hold_in_python,
+      .users = {.page = false}},
+     at<&SampleOptions::hold>},
     {{.name = "contact_energy",
       .group = group,
       .summary = "of --sampler dilute, kcal/mol: a contact of energy E is off with\n"
@@ -161,6 +175,7 @@ void check(const SampleOptions& options) {
                       ": must be a whole number from 0");
   for (const SampleField& field : sample_fields())
     check_option(field, field.place(places_of(options)));
+  check_hold(options.hold);
 }
 
 std::int64_t near_frames_of(const SampleOptions& options) {

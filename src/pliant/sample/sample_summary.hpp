@@ -18,6 +18,7 @@ struct SampleSummary {
   std::int64_t redrawn = 0;        ///< frames whose first draw could not be resolved
   std::int64_t rescued = 0;        ///< frames that needed more than careful steps
   std::int64_t failed = 0;         ///< frames for which no draw was resolved; not among `frames`
+  std::int64_t ligand_frames = 0;  ///< in which a ligand of a place has other torsions
   std::int64_t near_frames = 0;    ///< of these, around the start: fluctuations are theirs
   double amplitude_asked = 0.0;    ///< mean r.m.s. fluctuation of nodes (Angstrom); 0: the
                                    ///< sampler has none

@@ -9,17 +9,12 @@
 namespace pliant {
 namespace {
 
-struct HoldEntry {
-  std::string_view name;
-  LimitKind kind;
-};
+constexpr std::string_view all = "all", none = "none";
 
-constexpr HoldEntry table[] = {
-    {hold_all, LimitKind::given},
-    {hold_none, LimitKind::torsion},
-#define PLIANT_CONTACT_KIND(name, ...) {#name, LimitKind::name},
+constexpr std::string_view words[] = {
+#define PLIANT_CONTACT_KIND(name, ...) #name,
 #include "pliant/framework/contact_kind_rows.hpp"
-};
+    all, none};
 
 bool names(std::span<const std::string> hold, std::string_view name) {
   return std::ranges::find(hold, name) != hold.end();
@@ -66,15 +61,27 @@ bool is_salt_bridge(const BondChemistry& chemistry, const Limit& limit) {
 
 bool is_of_kind(const BondChemistry& chemistry, const Limit& limit,
                 std::span<const std::string> hold) {
-  if (names(hold, hold_all)) return true;
+  if (names(hold, all)) return true;
   if (limit.kind != LimitKind::hydrogen_bond) return names(hold, name(limit.kind));
   return names(hold, is_salt_bridge(chemistry, limit) ? "salt_bridge" : "hydrogen_bond");
 }
 
 }  // namespace
 
+std::string hold_names(std::string_view quotes) {
+  std::string text;
+  for (const std::string_view word : words) {
+    if (!text.empty()) text += word == none ? " or " : ", ";
+    text.append(quotes).append(word).append(quotes);
+  }
+  return text;
+}
+
 void check_hold(std::span<const std::string> hold) {
-  for (const std::string& name : hold) choose(table, "kind of contact", name);
+  for (const std::string& word : hold)
+    if (std::ranges::find(words, word) == std::end(words))
+      throw OptionError("hold: " +
+                        unknown_choice("kind of contact", word, {words, std::end(words)}));
 }
 
 std::vector<std::uint8_t> held_contacts(const Framework& framework, const BondChemistry& chemistry,
@@ -99,7 +106,7 @@ std::vector<std::uint8_t> held_contacts(const Framework& framework, const BondCh
     const bool is_at_metal = limits[k].kind == LimitKind::metal && held[k] == 0 &&
                              (is_metal_of[limits[k].a] || is_metal_of[limits[k].b]);
     if (std::ranges::binary_search(groups, limits[k].group) ||
-        (is_at_metal && names(hold, "metal")))
+        (is_at_metal && (names(hold, all) || names(hold, "metal"))))
       held[k] = 1;
   }
   return held;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pliant/conformers/rings/bond_chemistry.hpp"
@@ -12,10 +13,10 @@
 
 namespace pliant {
 
-/// What `hold` may name besides kinds of contacts.
-inline constexpr std::string_view hold_all = "all", hold_none = "none";
+/// What `hold` may name, "metal, ..., all or none", each between `quotes`.
+std::string hold_names(std::string_view quotes = "");
 
-/// Throws OptionError naming a word that is no kind of contact, `all` or `none`.
+/// Throws OptionError naming a word that is none of these.
 void check_hold(std::span<const std::string> hold);
 
 /// (L) 1: the limit belongs to a contact of a joint that is_ligand (N), of a kind that `hold`

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "pliant/base/math/superposition.hpp"
@@ -14,10 +15,13 @@ namespace {
 
 constexpr std::size_t most_draws = 60;  // of one ligand, until it fits
 constexpr std::size_t draws_a_step = 10;  // after so many in vain fewer torsions turn
+constexpr std::uint8_t hydrogen = 1;
 constexpr std::size_t least_of_anchor = 3;
 constexpr double most_overlap = 0.7;    // Angstrom: resolving takes away less
 constexpr double most_stretch = 1.0;    // Angstrom outside of the interval of a contact
 constexpr double touch = 4.0;           // Angstrom: more than any least distance
+constexpr double least_change = 0.7;    // Angstrom, of the atom that is furthest off
+constexpr double least_turn = 0.25 * std::numbers::pi;  // of one torsion at least
 constexpr double longer = 1.2;          // a stretched ligand than that of the start
 constexpr double most_sp3_cosine = -0.44;  // of an angle of 116 degrees
 
@@ -156,10 +160,31 @@ bool LigandMoves::redraw(const LigandMolecule& molecule, RandomSequence& draws,
   for (std::size_t k = 0; k < most_draws; ++k) {
     turn_some(molecule, molecule.rotors.size() >> (k / draws_a_step), draws, x);
     lay_back(molecule, draws, before, x);
-    if (holds(x) && fits(molecule, false, x)) return true;
+    if (differs(molecule, before, x) && holds(x) && fits(molecule, false, x)) return true;
     for (const Joint joint : molecule.joints) x[joint] = before[joint];
   }
   return false;
+}
+
+/// Whether a torsion has changed, and an atom is where none of its element was: rings that turn over
+/// by symmetry do not count.
+bool LigandMoves::differs(const LigandMolecule& molecule, std::span<const Vec3> before,
+                          std::span<const Vec3> x) const {
+  const auto angle = [](const Rotor& at, std::span<const Vec3> of) {
+    return torsion_angle(of[at.beyond_a], of[at.a], of[at.b], of[at.beyond_b]);
+  };
+  const auto has_turned = [&](const Rotor& at) {
+    const double by = std::abs(angle(at, x) - angle(at, before));
+    return std::min(by, 2.0 * std::numbers::pi - by) > least_turn;
+  };
+  if (std::ranges::none_of(molecule.rotors, has_turned)) return false;
+  if (framework_.atoms() == nullptr) return true;
+  const auto& elements = framework_.atoms()->elements;
+  return std::ranges::any_of(molecule.joints, [&](Joint a) {
+    return elements[a] != hydrogen && std::ranges::none_of(molecule.joints, [&](Joint b) {
+             return elements[a] == elements[b] && distance(x[a], before[b]) < least_change;
+           });
+  });
 }
 
 /// Turns one, up to `most`.

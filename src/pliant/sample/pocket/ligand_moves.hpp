@@ -58,6 +58,8 @@ class LigandMoves {
                  std::span<Vec3> x) const;
   void lay_back(const LigandMolecule& molecule, RandomSequence& draws, std::span<const Vec3> before,
                 std::span<Vec3> x) const;
+  bool differs(const LigandMolecule& molecule, std::span<const Vec3> before,
+               std::span<const Vec3> x) const;
   bool fits(const LigandMolecule& molecule, bool beside_all, std::span<const Vec3> x) const;
   bool holds(std::span<const Vec3> x) const;
 
