@@ -95,8 +95,7 @@ void print_all(const Job& job, const SampledSystem& system, const SampleSummary&
   conformations ? print_conformations(*conformations) : print_amplitude(system, summary);
   if (const auto residues = pocket_of(job, system); !residues.empty())
     fmt::print("pocket          {} residues: {}\n", residues.size(), listed(residues));
-  if (summary.ligand_frames > 0)
-    fmt::print("ligand          {}\n", ligand_text(job, summary));
+  if (summary.ligand_frames > 0) fmt::print("ligand          {}\n", ligand_text(job, summary));
   if (summary.near_frames > 0)
     fmt::print(
         "RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",

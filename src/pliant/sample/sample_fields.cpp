@@ -50,11 +50,11 @@ const std::string around_in_python =
     near_text + ".\nThe ligand itself gets other torsions.";
 
 const std::string hold_text =
-    "contacts that the ligand of --around keeps in all frames (default metal,salt_bridge):\n" +
-    hold_names() + "; others are let go where\nits new torsions tear them";
+    "contacts that the ligand of --around keeps in all frames (default\nmetal,salt_bridge): " +
+    hold_names() + ";\nothers are let go where its torsions tear them";
 const std::string hold_in_python =
     "Contacts that the ligand of ``around`` keeps in all frames: " + hold_names("``") +
-    ".\nOthers are let go where its new torsions tear them.";
+    ".\nOthers are let go where its torsions tear them.";
 
 template <auto... Members>
 constexpr auto at = place_at<SampleOptions, Members...>;

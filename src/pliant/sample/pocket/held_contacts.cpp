@@ -28,7 +28,8 @@ bool shares_charge(const BondChemistry& chemistry, Joint carbon) {
     if (chemistry.is_oxygen(bond.node)) return false;
     if (!chemistry.is_nitrogen(bond.node)) continue;
     const auto around = chemistry.bonds_at(bond.node);
-    if (std::ranges::none_of(around, [&](const Link& at) { return chemistry.is_hydrogen(at.node); }))
+    if (std::ranges::none_of(around,
+                             [&](const Link& at) { return chemistry.is_hydrogen(at.node); }))
       return false;
     ++nitrogens;
   }
@@ -43,14 +44,20 @@ bool is_cation(const BondChemistry& chemistry, Joint atom) {
          });
 }
 
-/// Oxygen of carboxylate, phosphate or sulfate: one of two terminal ones.
+/// Oxygen of carboxylate, phosphate or sulfonate, which has three that are terminal; a sulfone with
+/// two has no charge.
 bool is_anion(const BondChemistry& chemistry, Joint atom) {
   const auto is_terminal = [&](Joint at) {
     return chemistry.is_oxygen(at) && chemistry.bonds_at(at).size() == 1;
   };
   if (!is_terminal(atom)) return false;
-  const auto around = chemistry.bonds_at(chemistry.bonds_at(atom)[0].node);
-  return std::ranges::count_if(around, [&](const Link& bond) { return is_terminal(bond.node); }) > 1;
+  constexpr std::uint8_t carbon = 6, phosphorus = 15, sulphur = 16;
+  const Joint centre = chemistry.bonds_at(atom)[0].node;
+  const auto terminal = std::ranges::count_if(
+      chemistry.bonds_at(centre), [&](const Link& bond) { return is_terminal(bond.node); });
+  const std::uint8_t element = chemistry.element(centre);
+  if (element == sulphur) return terminal > 2;
+  return terminal > 1 && (element == carbon || element == phosphorus);
 }
 
 /// Of a bond by hydrogen the limit of donor and acceptor tells.

@@ -13,17 +13,17 @@
 namespace pliant {
 namespace {
 
-constexpr std::size_t most_draws = 60;  // of one ligand, until it fits
-constexpr std::size_t draws_a_step = 10;  // after so many in vain fewer torsions turn
+constexpr std::size_t most_steps = 8;     // each turns another bond, and fewer besides
+constexpr std::size_t draws_a_step = 12;  // until the ligand fits
 constexpr std::uint8_t hydrogen = 1;
 constexpr std::size_t least_of_anchor = 3;
-constexpr double most_overlap = 0.7;    // Angstrom: resolving takes away less
-constexpr double most_stretch = 1.0;    // Angstrom outside of the interval of a contact
-constexpr double touch = 4.0;           // Angstrom: more than any least distance
-constexpr double least_change = 0.7;    // Angstrom, of the atom that is furthest off
-constexpr double least_turn = 0.25 * std::numbers::pi;  // of one torsion at least
-constexpr double longer = 1.2;          // a stretched ligand than that of the start
-constexpr double most_sp3_cosine = -0.44;  // of an angle of 116 degrees
+constexpr double most_overlap = 0.7;  // Angstrom: resolving takes away less
+constexpr double most_stretch = 1.0;  // Angstrom outside of the interval of a contact
+constexpr double touch = 4.0;         // Angstrom: more than any least distance
+constexpr double least_change = 0.7;  // Angstrom, of the atom that is furthest off
+constexpr double least_turn = 0.25 * std::numbers::pi;  // of the first bond
+constexpr double longer = 1.2;                          // a stretched ligand than that of the start
+constexpr double most_sp3_cosine = -0.44;               // of an angle of 116 degrees
 
 /// Of ligands without hydrogens only planes and angles tell.
 BondTurn turn_without_hydrogens(const BondChemistry& chemistry, std::span<const Vec3> start,
@@ -41,8 +41,16 @@ BondTurn turn_without_hydrogens(const BondChemistry& chemistry, std::span<const 
 
 bool shows_hydrogens(const BondChemistry& chemistry, std::span<const Joint> joints) {
   return std::ranges::any_of(joints, [&](Joint joint) {
-    return chemistry.is_hydrogen(joint) && chemistry.element(chemistry.bonds_at(joint)[0].node) == 6;
+    return chemistry.is_hydrogen(joint) &&
+           chemistry.element(chemistry.bonds_at(joint)[0].node) == 6;
   });
+}
+
+/// The joints of a body that are its own, and no copies at a cut.
+void add_own(const BodyPlan& plan, const PlanBody& body, std::vector<Joint>& out) {
+  for (Slot place = body.first; place < body.last; ++place)
+    if (const Joint joint = plan.joint_at()[place]; plan.place_of(joint) == place)
+      out.push_back(joint);
 }
 
 /// The joints of a body with the two that it turns about.
@@ -57,14 +65,10 @@ std::vector<Joint> unit_of(const BodyPlan& plan, const PlanBody& body) {
 LigandMolecule molecule_in(const BodyPlan& plan, const BodyTree& tree,
                            const std::vector<bool>& is_ligand) {
   LigandMolecule found;
-  std::size_t count = 0;
-  for (std::uint32_t k = tree.first; k < tree.last; ++k) {
-    const PlanBody& body = plan.bodies()[k];
-    count += body.last - body.first;
-    for (Slot place = body.first; place < body.last; ++place)
-      if (is_ligand[plan.joint_at()[place]]) found.joints.push_back(plan.joint_at()[place]);
-  }
-  if (found.joints.size() < count) return found;
+  for (std::uint32_t k = tree.first; k < tree.last; ++k)
+    add_own(plan, plan.bodies()[k], found.joints);
+  const auto bonded = std::erase_if(found.joints, [&](Joint joint) { return !is_ligand[joint]; });
+  if (bonded > 0) return found;
   std::uint32_t weight = 0;
   for (std::uint32_t k = tree.first; k < tree.last; ++k) {
     std::vector<Joint> unit = unit_of(plan, plan.bodies()[k]);
@@ -81,9 +85,16 @@ std::vector<Joint> turning_with(const BodyPlan& plan, std::uint32_t body) {
   std::vector<Joint> out;
   for (std::uint32_t m = body;
        m == body || (m < bodies.size() && bodies[m].parent >= std::int64_t{body}); ++m)
-    for (Slot place = bodies[m].first; place < bodies[m].last; ++place)
-      out.push_back(plan.joint_at()[place]);
+    add_own(plan, bodies[m], out);
   return out;
+}
+
+bool has_turned(const Rotor& at, std::span<const Vec3> before, std::span<const Vec3> x) {
+  const auto angle = [&](std::span<const Vec3> of) {
+    return torsion_angle(of[at.beyond_a], of[at.a], of[at.b], of[at.beyond_b]);
+  };
+  const double by = std::abs(angle(x) - angle(before));
+  return std::min(by, 2.0 * std::numbers::pi - by) > least_turn;
 }
 
 }  // namespace
@@ -157,27 +168,28 @@ bool LigandMoves::redraw(RandomSequence& draws, std::span<Vec3> x) const {
 bool LigandMoves::redraw(const LigandMolecule& molecule, RandomSequence& draws,
                          std::span<Vec3> x) const {
   const std::vector<Vec3> before(x.begin(), x.end());
-  for (std::size_t k = 0; k < most_draws; ++k) {
-    turn_some(molecule, molecule.rotors.size() >> (k / draws_a_step), draws, x);
-    lay_back(molecule, draws, before, x);
-    if (differs(molecule, before, x) && holds(x) && fits(molecule, false, x)) return true;
-    for (const Joint joint : molecule.joints) x[joint] = before[joint];
+  const std::size_t count = molecule.rotors.size();
+  for (std::size_t step = 0; step < most_steps; ++step) {
+    const std::size_t must = draws.below(count);
+    const std::size_t wanted = draws.below(std::max<std::size_t>(count >> step, 1));
+    const double share = double(wanted) / double(count);
+    for (std::size_t k = 0; k < draws_a_step; ++k) {
+      for (std::size_t at = 0; at < count; ++at)
+        if (at == must || draws.uniform() < share)
+          turn(molecule.rotors[at], TorsionDraw::preferred, draws, x);
+      lay_back(molecule, draws, before, x);
+      if (has_turned(molecule.rotors[must], before, x) && differs(molecule, before, x) &&
+          holds(x) && fits(molecule, false, x))
+        return true;
+      for (const Joint joint : molecule.joints) x[joint] = before[joint];
+    }
   }
   return false;
 }
 
-/// Whether a torsion has changed, and an atom is where none of its element was: rings that turn over
-/// by symmetry do not count.
+/// Whether an atom is where none of its element was: rings that turn over by symmetry do not count.
 bool LigandMoves::differs(const LigandMolecule& molecule, std::span<const Vec3> before,
                           std::span<const Vec3> x) const {
-  const auto angle = [](const Rotor& at, std::span<const Vec3> of) {
-    return torsion_angle(of[at.beyond_a], of[at.a], of[at.b], of[at.beyond_b]);
-  };
-  const auto has_turned = [&](const Rotor& at) {
-    const double by = std::abs(angle(at, x) - angle(at, before));
-    return std::min(by, 2.0 * std::numbers::pi - by) > least_turn;
-  };
-  if (std::ranges::none_of(molecule.rotors, has_turned)) return false;
   if (framework_.atoms() == nullptr) return true;
   const auto& elements = framework_.atoms()->elements;
   return std::ranges::any_of(molecule.joints, [&](Joint a) {
@@ -185,17 +197,6 @@ bool LigandMoves::differs(const LigandMolecule& molecule, std::span<const Vec3> 
              return elements[a] == elements[b] && distance(x[a], before[b]) < least_change;
            });
   });
-}
-
-/// Turns one, up to `most`.
-void LigandMoves::turn_some(const LigandMolecule& molecule, std::size_t most, RandomSequence& draws,
-                            std::span<Vec3> x) const {
-  const std::size_t count = molecule.rotors.size();
-  const std::size_t wanted = 1 + draws.below(std::max<std::size_t>(most, 1));
-  const std::size_t one = draws.below(count);
-  for (std::size_t k = 0; k < count; ++k)
-    if (k == one || double(count - 1) * draws.uniform() < double(wanted - 1))
-      turn(molecule.rotors[k], TorsionDraw::preferred, draws, x);
 }
 
 void LigandMoves::lay_back(const LigandMolecule& molecule, RandomSequence& draws,

@@ -54,8 +54,6 @@ class LigandMoves {
   void find_rotors(const RotorSearch& in, const BodyTree& tree, LigandMolecule& found) const;
   void find_surroundings(LigandMolecule& molecule) const;
   bool redraw(const LigandMolecule& molecule, RandomSequence& draws, std::span<Vec3> x) const;
-  void turn_some(const LigandMolecule& molecule, std::size_t most, RandomSequence& draws,
-                 std::span<Vec3> x) const;
   void lay_back(const LigandMolecule& molecule, RandomSequence& draws, std::span<const Vec3> before,
                 std::span<Vec3> x) const;
   bool differs(const LigandMolecule& molecule, std::span<const Vec3> before,
