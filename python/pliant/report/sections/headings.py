@@ -7,6 +7,7 @@ TOGETHER = "What moves together"
 COLLECTIVE = "Collective motions"
 OTHER = "What else it could look like"
 POCKETS = "Pockets"
+LIGANDS = "Ligands"
 CHEMISTRY = "Contacts and stereochemistry"
 ON_THE_WAY = "How it gets there"
 SHAPES = "Shape"
@@ -14,8 +15,8 @@ STARTS = "Starting molecular dynamics"
 EXACT = "Exactness and effort"
 
 #: those whose figures and tables are as wide as the page
-WIDE = (OTHER, POCKETS)
+WIDE = (OTHER, POCKETS, LIGANDS)
 HEADINGS = (
-    *(DATA, FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, POCKETS, ON_THE_WAY, CHEMISTRY),
+    *(DATA, FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, POCKETS, LIGANDS, ON_THE_WAY, CHEMISTRY),
     *(STARTS, SHAPES, EXACT),
 )

@@ -22,6 +22,7 @@ from pliant.report.sections.domains import CORRELATIONS, DOMAINS
 from pliant.report.sections.exports import MODES_FILE
 from pliant.report.sections.flexible import AMPLITUDE, FLEXIBILITY
 from pliant.report.sections.frames import DRAWS, KIND, frame_numbers
+from pliant.report.sections.ligands import LIGAND_CONTACTS
 from pliant.report.sections.measured import Measured
 from pliant.report.sections.motions import COMPONENTS
 from pliant.report.sections.other_shapes import OTHER_SHAPES
@@ -54,6 +55,7 @@ SECTIONS = (
     DOMAINS,
     OTHER_SHAPES,
     POCKET_VOLUMES,
+    LIGAND_CONTACTS,
     DISTANCES,
     RMSD,
     GYRATION,
