@@ -172,7 +172,8 @@ void PocketSampler::turn(const DrawnTurns& turned, const std::vector<Vec3>& move
   let_go(without_modes, request);
 }
 
-/// What redrawn side chains and turns would tear; of the place what the modes would tear, too.
+/// What redrawn side chains and turns would tear; of the place what the modes would tear, too. A
+/// ligand goes with what it has after its torsions and side chains were drawn.
 void PocketSampler::let_go(std::span<const Vec3> without_modes, FrameRequest& request) const {
   request.limits_off = torn_limits(framework_, without_modes);
   const std::vector<std::uint8_t> torn = torn_limits(framework_, request.targets);
@@ -180,6 +181,11 @@ void PocketSampler::let_go(std::span<const Vec3> without_modes, FrameRequest& re
   for (std::size_t k = 0; k < torn.size(); ++k)
     if (place_.has_joint[limits[k].a] || place_.has_joint[limits[k].b])
       request.limits_off[k] |= torn[k];
+  if (ligand_.molecules().empty()) return;
+  const std::vector<std::uint8_t> drawn = torn_limits(framework_, request.from);
+  for (const LigandMolecule& molecule : ligand_.molecules())
+    for (const LimitIndex k : molecule.contacts)
+      request.limits_off[k] = drawn[k];
   for (std::size_t k = 0; k < held_.size(); ++k)
     if (held_[k] != 0) request.limits_off[k] = 0;
 }

@@ -9,6 +9,7 @@
 #include "pliant/base/math/superposition.hpp"
 #include "pliant/conformers/torsions/bond_turn_kinds.hpp"
 #include "pliant/conformers/torsions/loop_bending.hpp"
+#include "pliant/sample/turns/course_measures.hpp"
 
 namespace pliant {
 namespace {
@@ -18,7 +19,6 @@ constexpr std::size_t draws_a_step = 12;  // until the ligand fits
 constexpr std::uint8_t hydrogen = 1;
 constexpr std::size_t least_of_anchor = 3;
 constexpr double most_overlap = 0.7;  // Angstrom: resolving takes away less
-constexpr double most_stretch = 1.0;  // Angstrom outside of the interval of a contact
 constexpr double touch = 4.0;         // Angstrom: more than any least distance
 constexpr double least_change = 0.7;  // Angstrom, of the atom that is furthest off
 constexpr double least_turn = 0.25 * std::numbers::pi;  // of the first bond
@@ -118,6 +118,7 @@ LigandMoves::LigandMoves(const Framework& framework, const BodyPlan& plan,
     find_rotors({plan, chemistry, is_ligand, is_in_loop}, tree, found);
     if (found.rotors.empty()) continue;
     find_surroundings(found);
+    find_contacts(found);
     molecules_.push_back(std::move(found));
   }
 }
@@ -158,6 +159,15 @@ void LigandMoves::find_surroundings(LigandMolecule& molecule) const {
       molecule.surroundings.push_back(k);
 }
 
+void LigandMoves::find_contacts(LigandMolecule& molecule) const {
+  const auto is_own = [&](Joint joint) {
+    return std::ranges::find(molecule.joints, joint) != molecule.joints.end();
+  };
+  const auto limits = framework_.limits();
+  for (LimitIndex k = 0; k < limits.size(); ++k)
+    if (is_own(limits[k].a) != is_own(limits[k].b)) molecule.contacts.push_back(k);
+}
+
 bool LigandMoves::redraw(RandomSequence& draws, std::span<Vec3> x) const {
   bool is_redrawn = false;
   for (const LigandMolecule& molecule : molecules_)
@@ -179,7 +189,7 @@ bool LigandMoves::redraw(const LigandMolecule& molecule, RandomSequence& draws,
           turn(molecule.rotors[at], TorsionDraw::preferred, draws, x);
       lay_back(molecule, draws, before, x);
       if (has_turned(molecule.rotors[must], before, x) && differs(molecule, before, x) &&
-          holds(x) && fits(molecule, false, x))
+          fits(molecule, false, x) && holds(molecule, x))
         return true;
       for (const Joint joint : molecule.joints) x[joint] = before[joint];
     }
@@ -233,13 +243,15 @@ bool LigandMoves::fits(std::span<const Vec3> x) const {
       molecules_, [&](const LigandMolecule& molecule) { return fits(molecule, true, x); });
 }
 
-bool LigandMoves::holds(std::span<const Vec3> x) const {
-  const auto limits = framework_.limits();
-  for (std::size_t k = 0; k < held_.size(); ++k)
-    if (held_[k] != 0 &&
-        std::abs(excess(limits[k], distance(x[limits[k].a], x[limits[k].b]))) > most_stretch)
-      return false;
-  return true;
+/// Whether all contacts are there that are held, and at least one if there are any.
+bool LigandMoves::holds(const LigandMolecule& molecule, std::span<const Vec3> x) const {
+  const std::vector<std::uint8_t> torn = torn_limits(framework_, x);
+  bool is_bound = molecule.contacts.empty();
+  for (const LimitIndex k : molecule.contacts) {
+    if (torn[k] != 0 && held_[k] != 0) return false;
+    is_bound = is_bound || torn[k] == 0;
+  }
+  return is_bound;
 }
 
 }  // namespace pliant

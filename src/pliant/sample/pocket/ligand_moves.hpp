@@ -24,6 +24,7 @@ struct LigandMolecule {
                                             ///< to something else, and stays there
   std::vector<std::uint32_t> weights;       ///< (anchors) sums of their joints so far
   std::vector<Joint> surroundings;          ///< that it may touch, itself included
+  std::vector<LimitIndex> contacts;         ///< limits between it and all else
 };
 
 class LigandMoves {
@@ -37,7 +38,7 @@ class LigandMoves {
   std::span<const LigandMolecule> molecules() const { return molecules_; }
 
   /// Redraws some of the torsions of each ligand of `x` (N, Angstrom). One that overlaps with what
-  /// cannot turn away, or tears a contact that is held, in each of several draws stays. Returns
+  /// cannot turn away, or tears a contact that is held, or all, in each of several draws stays. Returns
   /// whether one was redrawn. Several threads may call it at once.
   bool redraw(RandomSequence& draws, std::span<Vec3> x) const;
 
@@ -53,13 +54,14 @@ class LigandMoves {
   };
   void find_rotors(const RotorSearch& in, const BodyTree& tree, LigandMolecule& found) const;
   void find_surroundings(LigandMolecule& molecule) const;
+  void find_contacts(LigandMolecule& molecule) const;
   bool redraw(const LigandMolecule& molecule, RandomSequence& draws, std::span<Vec3> x) const;
   void lay_back(const LigandMolecule& molecule, RandomSequence& draws, std::span<const Vec3> before,
                 std::span<Vec3> x) const;
   bool differs(const LigandMolecule& molecule, std::span<const Vec3> before,
                std::span<const Vec3> x) const;
   bool fits(const LigandMolecule& molecule, bool beside_all, std::span<const Vec3> x) const;
-  bool holds(std::span<const Vec3> x) const;
+  bool holds(const LigandMolecule& molecule, std::span<const Vec3> x) const;
 
   const Framework& framework_;
   std::span<const Vec3> start_;
