@@ -184,8 +184,7 @@ void PocketSampler::let_go(std::span<const Vec3> without_modes, FrameRequest& re
   if (ligand_.molecules().empty()) return;
   const std::vector<std::uint8_t> drawn = torn_limits(framework_, request.from);
   for (const LigandMolecule& molecule : ligand_.molecules())
-    for (const LimitIndex k : molecule.contacts)
-      request.limits_off[k] = drawn[k];
+    for (const LimitIndex k : molecule.contacts) request.limits_off[k] = drawn[k];
   for (std::size_t k = 0; k < held_.size(); ++k)
     if (held_[k] != 0) request.limits_off[k] = 0;
 }

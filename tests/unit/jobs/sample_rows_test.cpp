@@ -104,11 +104,11 @@ TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
 TEST(SampleRows, EveryOptionHasOne) {
   SampleOptions options;
   auto& [frames, first_frame, amplitude, amplitude_from, seed, threads, sampler, near_frames,
-         around, around_joints, contact_energy, ring_systems, amides, both_hands, should_stop,
+         around, around_joints, hold, contact_energy, ring_systems, amides, both_hands, should_stop,
          log] = options;
-  const std::set<const void*> members{&frames, &first_frame, &amplitude,     &amplitude_from,
-                                      &seed,   &threads,     &sampler,       &near_frames,
-                                      &around, &amides,      &contact_energy};
+  const std::set<const void*> members{&frames, &first_frame, &amplitude,      &amplitude_from,
+                                      &seed,   &threads,     &sampler,        &near_frames,
+                                      &around, &amides,      &contact_energy, &hold};
   std::set<const void*> places;
   for (const SampleField& field : sample_fields()) places.insert(address_of(field.place(options)));
   EXPECT_EQ(places, members);

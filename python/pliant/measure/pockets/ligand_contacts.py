@@ -162,9 +162,7 @@ def classes_of(atoms: AtomGroup) -> np.ndarray:
     return np.array(found)
 
 
-def pose_distances(
-    poses: np.ndarray, classes: np.ndarray, first: int | None = None
-) -> np.ndarray:
+def pose_distances(poses: np.ndarray, classes: np.ndarray, first: int | None = None) -> np.ndarray:
     """(first, P) r.m.s. distances, Angstrom, of poses (P, n, 3) as they lie, of the first ones
     (default: all).
 

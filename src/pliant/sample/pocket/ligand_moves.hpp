@@ -38,8 +38,8 @@ class LigandMoves {
   std::span<const LigandMolecule> molecules() const { return molecules_; }
 
   /// Redraws some of the torsions of each ligand of `x` (N, Angstrom). One that overlaps with what
-  /// cannot turn away, or tears a contact that is held, or all, in each of several draws stays. Returns
-  /// whether one was redrawn. Several threads may call it at once.
+  /// cannot turn away, or tears a contact that is held, or all, in each of several draws stays.
+  /// Returns whether one was redrawn. Several threads may call it at once.
   bool redraw(RandomSequence& draws, std::span<Vec3> x) const;
 
   /// Whether no ligand of `x` overlaps with anything.
