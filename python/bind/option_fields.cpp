@@ -43,7 +43,11 @@ std::string type_of(const OptionFacts& facts, OptionPlace place) {
 /// The default, as Python writes it.
 std::string usual_text(const OptionFacts& facts, OptionPlace place) {
   if (facts.type_in_python.ends_with("None")) return "None";
-  if (std::holds_alternative<OptionNames*>(place)) return "()";
+  if (const auto* names = std::get_if<OptionNames*>(&place)) {
+    std::string text;
+    for (const std::string& name : **names) text += (text.empty() ? "'" : ", '") + name + "'";
+    return "(" + text + ((*names)->size() == 1 ? ",)" : ")");
+  }
   return nb::cast<std::string>(nb::repr(value_of(place)));
 }
 

@@ -73,7 +73,10 @@ TEST(HeldContacts, AreThoseOfTheKindsThatAreNamed) {
 
 TEST(HeldContacts, RefuseOtherWords) {
   const std::string words[] = {"hydrogen"};
-  EXPECT_ERROR(OptionError, "hold: no kind of contact named \"hydrogen\"", check_hold(words));
+  EXPECT_ERROR(OptionError,
+               "hold: no kind of contact named \"hydrogen\"; known: hydrogen_bond, salt_bridge, "
+               "hydrophobic, metal, cation_pi, all, none",
+               check_hold(words));
 }
 
 }  // namespace pliant::ligand_test
