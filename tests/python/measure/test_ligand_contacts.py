@@ -6,7 +6,7 @@ import json
 
 import numpy as np
 import pytest
-from ligand_complex import LIGAND, ligand_complex
+from made_trajectories import LIGAND, ligand_complex
 
 import pliant
 

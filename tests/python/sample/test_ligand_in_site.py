@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from ligand_complex import LIGAND, ligand_complex
+from made_trajectories import LIGAND, ligand_complex
 from pliant.lab.validity.stereochemistry import Checker
 from pliant.measure.geometry import torsions_of
 from pliant.trajectory.opened import frames_of

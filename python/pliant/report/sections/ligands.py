@@ -77,8 +77,8 @@ def _tables(analysis: Analysis) -> Iterator[Table]:
             )
             for k, place in enumerate(ligand.medoids[:MOST_POSES])
         ]
-        header = ("group", "frames", "stood for by frame", "from the start (Å)")
-        yield Table(POSES.format(f"{APART:g}"), header, poses)
+        columns = ("group", "frames", "stood for by frame", "from the start (Å)")
+        yield Table(POSES.format(f"{APART:g}"), columns, poses)
 
 
 def _contact_columns(analysis: Analysis) -> Columns:
