@@ -49,6 +49,11 @@ class Bench:
             "labels": np.array(molecule.labels, str),
             "bonds": molecule.bonds,
         }
+        for one in molecule.ligands:
+            number, parameters = molecule.labels.index(one.label), one.parameters
+            text = np.frombuffer(parameters.prmtop.encode(), np.uint8)
+            where = molecule.atoms_of(one)[parameters.order]
+            self._arrays |= {f"prmtop-{number}": text, f"where-{number}": where}
 
     def match(self) -> Outcome:
         """Whether every residue has a template."""

@@ -18,6 +18,7 @@ from pliant.base.output_names import start_beside
 from pliant.checks.force_field.jobs import Bench, Progress, deadline_in
 from pliant.checks.force_field.minimised import LONG, SHORT, ForceFieldReport, Minimised, handedness
 from pliant.checks.force_field.molecule import Molecule, molecule_of, why_not
+from pliant.checks.ligands.parameters import LigandOptions
 from pliant.checks.openmm.child import Job, Outcome
 from pliant.checks.sample import NM
 from pliant.trajectory.chosen_frames import choose_frames
@@ -43,6 +44,7 @@ class Wanted:
     start: str | os.PathLike[str] | None = None  #: structure file; default: the PDB beside
     time_limit: float = 300.0  #: seconds of one job
     total_limit: float = 1200.0  #: seconds after which no structure is begun
+    ligands: LigandOptions = LigandOptions()
 
     def starts_of(self, atoms: int) -> int | str:
         """`starts`, or as many as a quick look has for a molecule of so many atoms."""
@@ -119,7 +121,7 @@ def minimise_frames(
 ) -> ForceFieldReport:
     """Minimises frames (F, N, 3) of a structure with bonds; start: (N, 3); Angstrom."""
     began = time.monotonic()
-    molecule = molecule_of(structure)
+    molecule = molecule_of(structure, wanted.ligands, say)
     bench = Bench(molecule, wanted.time_limit, deadline_in(wanted.total_limit), show)
     numbers = np.arange(len(frames)) if numbers is None else numbers
     names = [Minimised(f"frame {int(k)}", int(k)) for k in numbers]
@@ -128,7 +130,7 @@ def minimise_frames(
         frames=names,
         dynamics=[],
         residues=len(molecule.labels),
-        atoms=len(molecule.order),
+        atoms=len(molecule.elements),
         placed_hydrogens=molecule.placed,
         md_picoseconds=MD_STEP * wanted.md_steps,
         long_starts=wanted.long_starts,

@@ -4,33 +4,44 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from pliant._core import Structure
 from pliant.checks.force_field.hydrogens import RESIDUES, Missing, find_missing, hydrogen_counts
+from pliant.checks.ligands.found import Ligand, Others, others_of, residue_labels
+from pliant.checks.ligands.parameters import LigandOptions
+
+NO_LIGANDS = LigandOptions("none")
 
 
 @dataclass
 class Molecule:
-    """Atoms as OpenMM gets them: those kept and hydrogens that were missing, residue by residue."""
+    """Atoms as OpenMM gets them: those kept and hydrogens that were missing, residue by residue.
 
-    kept: np.ndarray  #: (K,) atoms of the file
+    Ligands come after all else, each as one residue.
+    """
+
+    kept: np.ndarray  #: (K,) atoms of the file that are of proteins, and ions
     missing: list[Missing]  #: hydrogens to place, in numbers of the file
-    order: np.ndarray  #: (M,) of kept atoms followed by placed hydrogens, residue by residue
+    order: np.ndarray  #: (P,) of kept atoms followed by placed hydrogens, residue by residue
     elements: np.ndarray  #: (M,) atomic numbers
     names: np.ndarray  #: (M,) of atoms, "H" of placed hydrogens
     residue_of: np.ndarray  #: (M,)
     labels: list[str]  #: (R,) "A:LYS45"
     bonds: np.ndarray  #: (B, 2)
+    ligands: list[Ligand] = field(default_factory=list)
     left_out: dict[str, int] = field(default_factory=dict)  #: residues without a template, by name
+    why: dict[str, str] = field(default_factory=dict)  #: these were left out, by label
     notes: list[str] = field(default_factory=list)
 
     @property
     def placed(self) -> int:
         """Hydrogens that the file has not."""
-        return len(self.order) - len(self.kept)
+        given = len(self.kept) + sum(one.chemistry.given for one in self.ligands)
+        return len(self.elements) - given
 
     @property
     def alpha_carbons(self) -> np.ndarray:
@@ -40,8 +51,26 @@ class Molecule:
     def complete(self, positions: np.ndarray) -> np.ndarray:
         """(M, 3) of a frame (N, 3) of the file, Angstrom."""
         placed = [group.place(positions).reshape(-1, 3) for group in self.missing]
-        completed: np.ndarray = np.concatenate([positions[self.kept], *placed])[self.order]
+        protein = np.concatenate([positions[self.kept], *placed])[self.order]
+        ligands = [one.chemistry.complete(positions[one.atoms]) for one in self.ligands]
+        completed: np.ndarray = np.concatenate([protein, *ligands])
         return completed
+
+    def atoms_of(self, ligand: Ligand) -> np.ndarray:
+        """(L,) of the completed atoms."""
+        return np.flatnonzero(self.residue_of == self.labels.index(ligand.label))
+
+    def add(self, ligand: Ligand) -> None:
+        """Appends the atoms of a ligand as a residue."""
+        first, molecule = len(self.elements), ligand.chemistry.molecule
+        elements = [atom.GetAtomicNum() for atom in molecule.GetAtoms()]
+        bonds = [(b.GetBeginAtomIdx(), b.GetEndAtomIdx()) for b in molecule.GetBonds()]
+        self.elements = np.concatenate([self.elements, elements])
+        self.names = np.concatenate([self.names, ligand.names])
+        self.residue_of = np.append(self.residue_of, [len(self.labels)] * len(elements))
+        self.labels.append(ligand.label)
+        self.bonds = np.concatenate([self.bonds, first + np.array(bonds, int).reshape(-1, 2)])
+        self.ligands.append(ligand)
 
     def corners(self) -> tuple[np.ndarray, list[str]]:
         """(C, 4) atoms N, C, CB and CA of residues that have a hand, and their labels."""
@@ -52,7 +81,12 @@ class Molecule:
             if {"N", "C", "CB", "CA"} <= by_name.keys():
                 found.append([by_name[name] for name in ("N", "C", "CB", "CA")])
                 labels.append(label)
-        return np.array(found, int).reshape(-1, 4), labels
+        corners = [np.array(found, int).reshape(-1, 4)]
+        for ligand in self.ligands:
+            own = ligand.chemistry.corners()
+            corners.append(self.atoms_of(ligand)[own])
+            labels += [ligand.label] * len(own)
+        return np.concatenate(corners), labels
 
 
 def why_not(structure: Structure) -> str:
@@ -61,22 +95,44 @@ def why_not(structure: Structure) -> str:
     return "" if known else "there is no amino acid in it"
 
 
-def molecule_of(structure: Structure) -> Molecule:
-    """Leaves residues out that amber14 has no template for, and finds the missing hydrogens."""
+def molecule_of(
+    structure: Structure,
+    options: LigandOptions = NO_LIGANDS,
+    say: Callable[[str], None] = lambda _: None,
+) -> Molecule:
+    """Finds the missing hydrogens, and parameters of what amber14 has no template for.
+
+    What there are none for is left out.
+    """
     residue_of = np.asarray(structure.residue_of).astype(int)
     residue_names = [str(name) for name in structure.residue_names]  # of atoms
     is_known = np.array([name in RESIDUES for name in residue_names], bool)
+    others = others_of(structure, is_known, options, say)
+    is_known[others.ions] = True
     kept = np.flatnonzero(is_known)
     elements = np.asarray(structure.elements).astype(int)
     bonds = np.asarray(structure.bonds).astype(int).reshape(-1, 2)
-    bonds = bonds[np.isin(bonds, kept).all(axis=1)]
+    bonds = bonds[np.isin(bonds, kept).all(axis=1) & ~np.isin(bonds, others.ions).any(axis=1)]
     names = np.array([str(name) for name in structure.names])
     wanted = _wanted(kept, names, residue_names)
     missing = find_missing(wanted, elements, _neighbours(bonds, len(elements)))
     molecule = _ordered(structure, kept, missing, bonds, residue_of)
-    molecule.left_out = _left_out(structure, is_known)
     molecule.notes += _notes_on_ends(molecule)
+    for ligand in others.ligands:
+        molecule.add(ligand)
+        is_known[ligand.atoms] = True
+    molecule.left_out = _left_out(structure, is_known)
+    molecule.why = others.refused
+    molecule.notes += _notes_on_others(structure, others)
     return molecule
+
+
+def _notes_on_others(structure: Structure, others: Others) -> list[str]:
+    notes = [one.said for one in others.ligands]
+    if len(others.ions):
+        named = ", ".join(residue_labels(structure, others.ions))
+        notes.append(f"ions, which only charge and size hold in their place: {named}")
+    return notes
 
 
 def _wanted(kept: np.ndarray, names: np.ndarray, residue_names: list[str]) -> np.ndarray:
@@ -120,25 +176,11 @@ def _ordered(
         elements=np.concatenate([structure.elements[kept], np.ones(len(carrier), int)])[order],
         names=np.concatenate([structure.names[kept], np.full(len(carrier), "H")])[order],
         residue_of=residue_index,
-        labels=_labels(structure, firsts),
+        labels=residue_labels(structure, firsts),
         bonds=np.concatenate(
             [new[bonds], np.column_stack([new[carrier], place[len(kept) :]])]
         ).reshape(-1, 2),
     )
-
-
-def _labels(structure: Structure, atoms: np.ndarray) -> list[str]:
-    """ "A:LYS45", of the residue of each atom."""
-    columns = (
-        structure.chains,
-        structure.residue_names,
-        structure.residue_ids,
-        structure.insertion_codes,
-    )
-    return [
-        f"{chain.strip()}:" * bool(chain.strip()) + f"{name}{f'{number}{code}'.strip()}"
-        for chain, name, number, code in zip(*(one[atoms] for one in columns), strict=True)
-    ]
 
 
 def _left_out(structure: Structure, is_known: np.ndarray) -> dict[str, int]:

@@ -20,10 +20,12 @@ import numpy as np
 import openmm
 from openmm import app
 
+from pliant.checks.force_field.added import Added, added_of, force_of
 from pliant.checks.openmm import worker
 from pliant.checks.openmm.worker import Arrays, Values
 
 FORCE_FIELD = "amber14/protein.ff14SB.xml"
+ION_FILE = "amber14/tip3p.xml"
 CUTOFF = 1.6  #: nm; water screens what charges further away do to an eightieth
 TOLERANCE = 0.1  #: kJ/mol/nm: so small that the minimiser makes all its steps
 STEP = 0.004  #: ps
@@ -77,13 +79,34 @@ def _end_of(topology: app.Topology, residue: Any) -> str:
     return "C" if sum(atom.element.symbol == "O" for atom in residue.atoms()) > 1 else ""
 
 
+def ions(topology: app.Topology) -> dict[Any, str]:
+    """Templates of residues of one atom."""
+    lone = (residue for residue in topology.residues() if len([*residue.atoms()]) == 1)
+    return {one: next(one.atoms()).element.symbol.upper() for one in lone}
+
+
+def added_to(job: Values) -> dict[int, Added]:
+    """Molecules with topologies of their own, by number of their residue."""
+    found = {}
+    for k in range(len(job["labels"])):
+        if f"prmtop-{k}" in job:
+            text, where = job[f"prmtop-{k}"].tobytes(), job[f"where-{k}"]
+            found[k] = added_of(text, where, f"added-{k}")
+    return found
+
+
 def make_system(job: Values, *, moves: bool = False) -> openmm.System:
     """amber14 and OBC2; `moves`: with constraints and heavy hydrogens, for steps of 4 fs.
 
     Ends of a broken chain have the templates of residues within a chain.
     """
     topology = topology_of(job)
-    system = app.ForceField(FORCE_FIELD).createSystem(
+    added, lone = added_to(job), ions(topology)
+    field = app.ForceField(FORCE_FIELD, *([ION_FILE] if lone else []))
+    for one in added.values():
+        one.register(field)
+    residues = [*topology.residues()]
+    system = field.createSystem(
         topology,
         nonbondedMethod=app.CutoffNonPeriodic,
         nonbondedCutoff=CUTOFF,
@@ -91,9 +114,13 @@ def make_system(job: Values, *, moves: bool = False) -> openmm.System:
         hydrogenMass=HEAVY_HYDROGEN if moves else None,
         removeCMMotion=False,
         ignoreExternalBonds=True,
-        residueTemplates=bridges(topology),
+        residueTemplates=bridges(topology)
+        | lone
+        | {residues[k]: one.name for k, one in added.items()},
     )
-    nonbonded = next(f for f in system.getForces() if isinstance(f, openmm.NonbondedForce))
+    for one in added.values():
+        one.add_terms(system, constrain=moves)
+    nonbonded = force_of(system, openmm.NonbondedForce)
     nonbonded.setReactionFieldDielectric(1.0)  # what is beyond the cut-off is left out
     system.addForce(solvent(topology, nonbonded))
     return system
