@@ -18,6 +18,7 @@ class Coverage:
     md_starts: int = 0  #: frames that a force field minimised
     #: residues and molecules that the force field was asked without: how many of each name
     left_out: dict[str, int] = field(default_factory=dict)
+    ligands: list[str] = field(default_factory=list)  #: that it was asked with, by label
 
     @property
     def without(self) -> str:
@@ -30,12 +31,16 @@ class Coverage:
         bars = f"bars of all {self.frames} frames" if self.frames > 1 else "bars of the frame"
         if not self.md_starts:
             return bars
-        alone = f", the protein alone, without {self.without}" if self.left_out else ""
-        return f"{bars}; MD starts: {counted(self.md_starts, 'frame')}{alone}"
+        complex_ = f", with {', '.join(self.ligands)}" if self.ligands else ", the protein alone"
+        without = f"{complex_}, without {self.without}" if self.left_out else ""
+        return (
+            f"{bars}; MD starts: {counted(self.md_starts, 'frame')}"
+            f"{without or complex_ * bool(self.ligands)}"
+        )
 
 
 def coverage(recording: FramesOfH5md, found: ForceFieldReport | None) -> Coverage:
     """Of a check whose force field found `found`, if it was asked."""
     if found is None or found.why_not:
         return Coverage(len(recording))
-    return Coverage(len(recording), len(found.usable), found.left_out)
+    return Coverage(len(recording), len(found.usable), found.left_out, found.ligands)

@@ -13,12 +13,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pliant._core import OptionError
+from pliant.base.refusals import shown
 from pliant.checks.force_field.molecule import Molecule
 from pliant.checks.openmm.child import Job, Outcome, run_jobs
 from pliant.checks.sample import NM
 
 WORKER = pathlib.Path(__file__).with_name("worker.py")
 MOST_PROCESSES = 8
+CPU = "CPU"
 Progress = Callable[[int, int], None]
 
 
@@ -35,6 +38,7 @@ class Bench:
     time_limit: float  #: seconds of one job
     deadline: float  #: no job begins after this time.time()
     show: Progress = lambda *_: None
+    platform: str = CPU  #: of OpenMM
     planned: int = 0  #: jobs in all, for the progress
     done: int = 0
     _lock: threading.Lock = field(default_factory=threading.Lock)
@@ -63,19 +67,40 @@ class Bench:
         """Finds templates, and has all that a System is made of."""
         return Job("match", {}, self._arrays)
 
+    @property
+    def _values(self) -> dict[str, float | int | str]:
+        return {"deadline": self.deadline, "platform": self.platform}
+
+    def choose(self, asked: str, there: Sequence[str]) -> None:
+        """Takes the platform that is asked for, or of "auto" the fastest: the first of `there`.
+
+        Raises OptionError, which names those that are there.
+        """
+        known = {name.lower(): name for name in there} | {"auto": there[0]}
+        if asked.lower() not in known:
+            listed = ", ".join(["auto", *there])
+            raise OptionError(f"--platform: expected one of {listed}, found {shown(asked)}")
+        self.platform = known[asked.lower()]
+
+    @property
+    def _is_device(self) -> bool:
+        """Whether the platform is of a device that several processes would share."""
+        return self.platform not in (CPU, "Reference")
+
     def minimising(self, positions: np.ndarray, stages: Sequence[int]) -> Job:
         """Minimises a completed structure (M, 3), Angstrom."""
         more = {"structure": positions * NM, "stages": np.array(stages, int)}
-        return Job("minimise", {"deadline": self.deadline}, self._arrays | more)
+        return Job("minimise", self._values, self._arrays | more)
 
     def moving(self, positions: np.ndarray, settle: int, steps: int, frames: int) -> Job:
         """Dynamics from a completed structure (M, 3), Angstrom."""
-        values = {"deadline": self.deadline, "settle": settle, "steps": steps, "frames": frames}
+        values = self._values | {"settle": settle, "steps": steps, "frames": frames}
         return Job("dynamics", values, self._arrays | {"structure": positions * NM})
 
     def run(self, jobs: Sequence[Job]) -> list[Outcome]:
         """Outcomes in the sequence of the jobs."""
-        processes = max(1, min(cores(), MOST_PROCESSES, len(jobs)))
+        most = 1 if self._is_device else MOST_PROCESSES
+        processes = max(1, min(cores(), most, len(jobs)))
         outcomes: list[Outcome] = [Outcome("died")] * len(jobs)
 
         def work(first: int) -> None:

@@ -16,9 +16,16 @@ from pliant._core import InputError, Structure
 from pliant.base.console import counted
 from pliant.base.output_names import start_beside
 from pliant.checks.force_field.jobs import Bench, Progress, deadline_in
-from pliant.checks.force_field.minimised import LONG, SHORT, ForceFieldReport, Minimised, handedness
+from pliant.checks.force_field.minimised import (
+    LONG,
+    SHORT,
+    ForceFieldReport,
+    LigandFound,
+    Minimised,
+    handedness,
+)
 from pliant.checks.force_field.molecule import Molecule, molecule_of, why_not
-from pliant.checks.ligands.parameters import LigandOptions
+from pliant.base.force_field_options import ForceFieldOptions
 from pliant.checks.openmm.child import Job, Outcome
 from pliant.checks.sample import NM
 from pliant.trajectory.chosen_frames import choose_frames
@@ -44,7 +51,7 @@ class Wanted:
     start: str | os.PathLike[str] | None = None  #: structure file; default: the PDB beside
     time_limit: float = 300.0  #: seconds of one job
     total_limit: float = 1200.0  #: seconds after which no structure is begun
-    ligands: LigandOptions = LigandOptions()
+    force_field: ForceFieldOptions = ForceFieldOptions()
 
     def starts_of(self, atoms: int) -> int | str:
         """`starts`, or as many as a quick look has for a molecule of so many atoms."""
@@ -121,7 +128,7 @@ def minimise_frames(
 ) -> ForceFieldReport:
     """Minimises frames (F, N, 3) of a structure with bonds; start: (N, 3); Angstrom."""
     began = time.monotonic()
-    molecule = molecule_of(structure, wanted.ligands, say)
+    molecule = molecule_of(structure, wanted.force_field, say)
     bench = Bench(molecule, wanted.time_limit, deadline_in(wanted.total_limit), show)
     numbers = np.arange(len(frames)) if numbers is None else numbers
     names = [Minimised(f"frame {int(k)}", int(k)) for k in numbers]
@@ -135,11 +142,15 @@ def minimise_frames(
         md_picoseconds=MD_STEP * wanted.md_steps,
         long_starts=wanted.long_starts,
         left_out=molecule.left_out,
+        why_left_out=molecule.why,
+        ligands=[one.label for one in molecule.ligands],
         notes=molecule.notes,
     )
-    say(_plan(report))
     matched = bench.match()
     if matched.done:
+        bench.choose(wanted.force_field.platform, matched.arrays["platforms"].tolist())
+        report.platform = bench.platform
+        say(_plan(report))
         _Minimisation(report, molecule, bench, wanted).minimise(start, frames)
     else:
         report.why_not = _short(matched)
@@ -150,8 +161,8 @@ def minimise_frames(
 def _plan(report: ForceFieldReport) -> str:
     """What is about to be done, and to what."""
     without = f", without {report.without}: no parameters" if report.left_out else ""
-    frames = counted(len(report.frames), "frame")
-    return f"OpenMM minimises the start and {frames}, {report.atoms} atoms each{without}"
+    frames, how = counted(len(report.frames), "frame"), f"on its platform {report.platform}"
+    return f"OpenMM minimises the start and {frames}, {report.atoms} atoms each, {how}{without}"
 
 
 def _short(outcome: Outcome) -> str:
@@ -250,10 +261,20 @@ class _Minimisation:
         target.moved = self._moved(given, after)
         turned = handedness(after, self.corners) != self.hands
         target.inverted = [self.labels[k] for k in np.flatnonzero(turned)]
+        rows = zip(self.molecule.ligands, outcome.arrays["ligands"].tolist(), strict=True)
+        for ligand, (energy, contacts, strain) in rows:
+            atoms = self.molecule.atoms_of(ligand)
+            heavy = atoms[self.molecule.elements[atoms] > 1]
+            moved = self._moved(given, after, heavy)
+            target.ligands[ligand.label] = LigandFound(energy, contacts, strain, moved)
 
-    def _moved(self, given: np.ndarray, after: np.ndarray) -> float:
+    def _moved(
+        self, given: np.ndarray, after: np.ndarray, of: np.ndarray | None = None
+    ) -> float:
+        """RMSD of atoms, superposed on alpha carbons; by default of these themselves."""
         atoms = self.molecule.alpha_carbons
         atoms = atoms if len(atoms) > 2 else np.arange(len(given))
+        of = atoms if of is None else of
         fit = Superposition(given[atoms], np.ones(len(atoms)))
-        apart = fit.apply(after[atoms]) - given[atoms]
+        apart = fit.apply(after[of], after[atoms]) - given[of]
         return float(np.sqrt((apart**2).sum(axis=1).mean()))

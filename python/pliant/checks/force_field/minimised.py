@@ -14,6 +14,16 @@ NO = float("nan")
 SHORT, LONG = 100, 500  #: steps of the minimiser
 
 
+@dataclass(frozen=True)
+class LigandFound:
+    """A ligand after 100 steps. Energies in kJ/mol, in implicit water; length in Angstrom."""
+
+    energy: float  #: of it alone, at its positions
+    contacts: float  #: of all less those of it and of the rest, parted
+    strain: float  #: what minimising it alone takes from its energy
+    moved: float  #: RMSD of its atoms without hydrogens; alpha carbons are superposed
+
+
 @dataclass
 class Minimised:
     """One structure: a frame of the file, one of MD, or the start.
@@ -29,7 +39,12 @@ class Minimised:
     after_long: float = NO  #: energy after 500 steps
     moved: float = NO  #: RMSD of alpha carbons after 100 steps, superposed
     inverted: list[str] = field(default_factory=list)  #: residues with the other hand after
+    ligands: dict[str, LigandFound] = field(default_factory=dict)  #: by label, "A:XK2263"
     outcome: str = ""  #: why it was not minimised; "" if it was
+
+    def as_json(self) -> dict[str, Any]:
+        """All of it as one JSON object."""
+        return {**vars(self), "ligands": {key: vars(one) for key, one in self.ligands.items()}}
 
     @property
     def is_finite(self) -> bool:
@@ -55,6 +70,9 @@ class ForceFieldReport:
     long_starts: int = 1  #: frames that were to be minimised for 500 steps
     #: molecules or residues without a template, which were left out: how many of each name
     left_out: dict[str, int] = field(default_factory=dict)
+    why_left_out: dict[str, str] = field(default_factory=dict)  #: by label, "A:XK2263"
+    ligands: list[str] = field(default_factory=list)  #: with parameters of their own, by label
+    platform: str = ""  #: of OpenMM
     seconds: float = 0.0  #: that all of it took
     notes: list[str] = field(default_factory=list)
     why_not: str = ""  #: why nothing was minimised; "" if it was
@@ -63,6 +81,14 @@ class ForceFieldReport:
     def without(self) -> str:
         """ "1 XK2, 2 CSO": what was left out; "" if nothing was."""
         return listed(self.left_out)
+
+    @property
+    def subject(self) -> str:
+        """ " of the protein with A:XK2263 (without 2 CSO)"; "" of all of a protein."""
+        without = f" (without {self.without})" if self.left_out else ""
+        if self.ligands:
+            return f" of the protein with {', '.join(self.ligands)}{without}"
+        return f" of the protein alone{without}" if without else ""
 
     @property
     def usable(self) -> list[Minimised]:
@@ -95,7 +121,7 @@ class ForceFieldReport:
         fields = dict(vars(self))
         for name in ("frames", "dynamics"):
             fields[name] = [self._one(s) for s in fields[name]]
-        return fields | {"start": dict(vars(self.start))}
+        return fields | {"start": self.start.as_json()}
 
     def _one(self, structure: Minimised) -> dict[str, Any]:
         above = {
@@ -103,7 +129,7 @@ class ForceFieldReport:
             for steps in (SHORT, LONG)
             for found in [self.above_start([structure], steps)]
         }
-        return {**vars(structure), "above_start": above}
+        return {**structure.as_json(), "above_start": above}
 
 
 def listed(left_out: Mapping[str, int]) -> str:

@@ -12,9 +12,9 @@ import numpy as np
 from pliant._core import Structure
 from pliant.checks.force_field.hydrogens import RESIDUES, Missing, find_missing, hydrogen_counts
 from pliant.checks.ligands.found import Ligand, Others, others_of, residue_labels
-from pliant.checks.ligands.parameters import LigandOptions
+from pliant.base.force_field_options import ForceFieldOptions
 
-NO_LIGANDS = LigandOptions("none")
+WITHOUT_LIGANDS = ForceFieldOptions("none")
 
 
 @dataclass
@@ -97,7 +97,7 @@ def why_not(structure: Structure) -> str:
 
 def molecule_of(
     structure: Structure,
-    options: LigandOptions = NO_LIGANDS,
+    options: ForceFieldOptions = WITHOUT_LIGANDS,
     say: Callable[[str], None] = lambda _: None,
 ) -> Molecule:
     """Finds the missing hydrogens, and parameters of what amber14 has no template for.

@@ -15,6 +15,8 @@ from pliant.checks.force_field.minimised import LONG, SHORT, ForceFieldReport, M
 SHARE = 0.95  #: of the frames that must be within each of the three limits below
 MOST_ABOVE = {SHORT: 3.0, LONG: 1.0}  #: kJ/mol a residue above the start, by steps
 MOST_MOVED = 0.4  #: Angstrom, alpha carbons in 100 steps
+MOST_LIGAND_MOVED = 1.0  #: Angstrom, a ligand without hydrogens in 100 steps
+MOST_STRAIN = 50.0  #: kJ/mol of a ligand above its strain in the start
 MOST_FORCE = 1e9  #: kJ/(mol nm) on an atom before: more is two atoms nearer than some 0.7 Angstrom
 LEAST_RESIDUES = 30  #: of fewer a single contact lost is more than the limits of energy
 MOST_NAMED = 3
@@ -24,20 +26,23 @@ TITLES = {
     "starts_energy_100": f"{OF_MD_STARTS}energy per residue above the start's, 100 steps",
     "starts_energy_500": f"{OF_MD_STARTS}energy per residue above the start's, 500 steps",
     "starts_moved": f"{OF_MD_STARTS}shift of alpha carbons in 100 steps",
+    "starts_ligands": f"{OF_MD_STARTS}shift of ligands in 100 steps, none strained",
     "starts_shape": f"{OF_MD_STARTS}frames with atoms in one place, with changed chirality",
 }
 
 
 def findings_of(report: ForceFieldReport) -> list[Finding]:
-    """The five rows of the verdict."""
+    """The rows of the verdict."""
     frames = report.usable
     if report.why_not or not frames or report.start.outcome:
-        return [Finding(name, title, CANNOT) for name, title in TITLES.items()]
+        rows = [name for name in TITLES if report.ligands or name != "starts_ligands"]
+        return [Finding(name, TITLES[name], CANNOT) for name in rows]
     return [
         _finite(report, frames),
         _energy(report, frames, SHORT),
         *([_energy(report, frames, LONG)] if report.long_starts else []),
         _moved(report, frames),
+        *([_ligands(report, frames)] if report.ligands else []),
         _shape(frames),
     ]
 
@@ -52,17 +57,17 @@ def md_verdict(report: ForceFieldReport, frames: int) -> Verdict:
     """Whether MD can be started from frames of a file of `frames`, once they are minimised."""
     findings = findings_of(report)
     failed = [finding.in_words for finding in findings if finding.status == FAILED]
-    alone = f" of the protein alone (without {report.without})" if report.left_out else ""
+    of = report.subject
     tested = f"{len(report.usable)} of {frames} frames tested"
-    details = f"What frames do near {report.without} is not tested." if alone else ""
+    details = f"What frames do near {report.without} is not tested." if report.left_out else ""
     if any(finding.status == CANNOT for finding in findings):
         sentence = "OpenMM could not minimise a frame: whether MD can be started is not known."
         return Verdict("mixed", sentence, details)
     if failed:
         why = f"{'; '.join(failed)}. {tested}."
-        return Verdict("mixed", f"Do not start MD{alone} from these frames: {why}", details)
-    sentence = f"MD{alone} can be started from these frames, once minimised. {tested}."
-    return Verdict("good", sentence, details, f"MD starts{alone} ({tested})")
+        return Verdict("mixed", f"Do not start MD{of} from these frames: {why}", details)
+    sentence = f"MD{of} can be started from these frames, once minimised. {tested}."
+    return Verdict("good", sentence, details, f"MD starts{of} ({tested})")
 
 
 def reached(values: np.ndarray) -> float:
@@ -117,6 +122,28 @@ def _energy(report: ForceFieldReport, frames: Sequence[Minimised], steps: int) -
 def _moved(report: ForceFieldReport, frames: Sequence[Minimised]) -> Finding:
     finding = _within("starts_moved", report.moved(frames), MOST_MOVED, "A", sign="")
     finding.figures["start"] = report.start.moved
+    return finding
+
+
+def _ligands(report: ForceFieldReport, frames: Sequence[Minimised]) -> Finding:
+    """How far the ligand that moves furthest does, and whether strain stays near the start's."""
+    finite = [frame for frame in frames if frame.is_finite]
+    shifts = [max(one.moved for one in frame.ligands.values()) for frame in finite]
+    finding = _within("starts_ligands", np.array(shifts or [np.inf]), MOST_LIGAND_MOVED, "A", "")
+    start = report.start.ligands
+    strained = [
+        f"{frame.name} ({label}, {one.strain - start[label].strain:+.0f})"
+        for frame in finite
+        for label, one in frame.ligands.items()
+        if not one.strain - start[label].strain <= MOST_STRAIN
+    ]
+    finding.figures["strained"] = len(strained)
+    if len(strained) > (1 - SHARE) * len(frames):
+        finding.status = FAILED
+        finding.notes.append(
+            f"strain of a ligand more than {MOST_STRAIN:g} kJ/mol above the start's: "
+            f"{_named(strained)}"
+        )
     return finding
 
 

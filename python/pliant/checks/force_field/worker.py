@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Minimises and moves proteins under amber14 and OBC2, in a process of its own.
 
-Run as ``_openmm/worker.py`` is. Units are OpenMM's: nm, u, kJ/mol. The platform is CPU with one
-thread and deterministic forces, so that a job gives the same bits whatever runs beside it.
+Run as ``_openmm/worker.py`` is. Units are OpenMM's: nm, u, kJ/mol. On the platform CPU there is one
+thread, with deterministic forces, so that a job gives the same bits whatever runs beside it.
 
 OBC2 (Onufriev, Bashford and Case, Proteins 55 (2004) 383) is a GBSAOBCForce with the radii mbondi2:
 the CustomGBForce of OpenMM's implicit/obc2.xml has the same energy and takes ten times as long.
@@ -36,6 +36,10 @@ SEED = 1
 #: nm, and how much of a volume counts: mbondi2 radii, and OBC's screening
 RADII = {6: 0.17, 7: 0.155, 8: 0.15, 9: 0.15, 15: 0.185, 16: 0.18, 17: 0.17}
 SCREENING = {1: 0.85, 6: 0.72, 7: 0.79, 8: 0.85, 9: 0.88, 15: 0.86, 16: 0.96}
+#: of platforms that have them
+PROPERTIES = {"DeterministicForces": "true", "Precision": "mixed"}
+APART = 20.0  #: nm between a ligand and the protein that do not touch
+ALONE_STEPS = 500  #: of minimising a ligand by itself
 CYSTEINE_BRIDGE = "CYX"
 
 
@@ -158,11 +162,34 @@ def system_of(job: Values, *, moves: bool = False) -> openmm.System:
     return _kept[key]
 
 
-def make_context(system: openmm.System, integrator: openmm.Integrator) -> openmm.Context:
+def make_context(
+    system: openmm.System, integrator: openmm.Integrator, name: str
+) -> openmm.Context:
     """A Context of its own for each job: none sees what another left."""
-    platform = openmm.Platform.getPlatform("CPU")
-    properties = {"Threads": "1", "DeterministicForces": "true"}
+    platform = openmm.Platform.getPlatform(name)
+    properties = {
+        key: value for key, value in PROPERTIES.items() if key in platform.getPropertyNames()
+    }
+    if name == "CPU":
+        properties["Threads"] = "1"
     return openmm.Context(system, integrator, platform, properties)
+
+
+def platforms() -> list[str]:
+    """Those that work here, the fastest first: one may be known whose device is not there."""
+    every = [openmm.Platform.getPlatform(k) for k in range(openmm.Platform.getNumPlatforms())]
+    every.sort(key=lambda one: one.getSpeed(), reverse=True)
+    return [one.getName() for one in every if _works(one.getName())]
+
+
+def _works(name: str) -> bool:
+    system = openmm.System()
+    system.addParticle(1.0)
+    try:
+        make_context(system, openmm.VerletIntegrator(0.001), name)
+    except openmm.OpenMMException:
+        return False
+    return True
 
 
 def energy_of(context: openmm.Context) -> float:
@@ -183,22 +210,27 @@ def require_time(job: Values) -> None:
 
 
 def match(job: Values) -> Arrays:
-    """Finds templates of all residues; raises ValueError naming the first without one."""
-    return {"atoms": np.array(system_of(job).getNumParticles())}
+    """Finds templates of all residues; raises ValueError naming the first without one.
+
+    Gives the platforms that work here, the fastest first.
+    """
+    return {"atoms": np.array(system_of(job).getNumParticles()), "platforms": np.array(platforms())}
 
 
 def minimise(job: Values) -> Arrays:
     """Minimises a structure (M, 3) by L-BFGS, in stages of so many steps each.
 
     Gives energies before and after each stage (S + 1), positions after each (S, M, 3), and the
-    worst force on an atom before; not-a-number from where OpenMM refuses to go on.
+    worst force on an atom before; not-a-number from where OpenMM refuses to go on. For each of L
+    ligands also what `of_ligand` gives after the first stage (L, 3).
     """
     require_time(job)
     stages = job["stages"].tolist()
     energies = np.full(len(stages) + 1, np.nan)
     positions = np.full((len(stages), *job["structure"].shape), np.nan)
     force = np.array(np.nan)
-    context = make_context(system_of(job), openmm.VerletIntegrator(0.001))
+    ligands = np.full((len(added_to(job)), 3), np.nan)
+    context = make_context(system_of(job), openmm.VerletIntegrator(0.001), job["platform"])
     with contextlib.suppress(openmm.OpenMMException):  # such as "Particle coordinate is NaN"
         context.setPositions(job["structure"])
         force[...], energies[0] = worst_force(context), energy_of(context)
@@ -206,7 +238,41 @@ def minimise(job: Values) -> Arrays:
             openmm.LocalEnergyMinimizer.minimize(context, TOLERANCE, steps)
             energies[k + 1] = energy_of(context)
             positions[k] = worker.positions_of(context)
-    return {"energies": energies, "positions": positions, "worst_force": force}
+        for k, one in enumerate(added_to(job).values()):
+            ligands[k] = of_ligand(context, one, positions[0], job["platform"])
+    return {"energies": energies, "positions": positions, "worst_force": force, "ligands": ligands}
+
+
+def of_ligand(
+    context: openmm.Context, ligand: Added, positions: np.ndarray, platform: str
+) -> list[float]:
+    """Energy of a ligand by itself at its positions, of its contacts, and its strain; kJ/mol.
+
+    Contacts are the energy of the whole less that of the two moved APART; strain is what
+    minimising the ligand alone takes from its energy. All are in implicit water.
+    """
+    context.setPositions(positions)
+    together = energy_of(context)
+    parted = positions.copy()
+    parted[ligand.where] += [APART, 0.0, 0.0]
+    context.setPositions(parted)
+    contacts = together - energy_of(context)
+    alone = make_context(alone_in_water(ligand), openmm.VerletIntegrator(0.001), platform)
+    alone.setPositions(positions[ligand.where])
+    energy = energy_of(alone)
+    openmm.LocalEnergyMinimizer.minimize(alone, TOLERANCE, ALONE_STEPS)
+    return [energy, contacts, energy - energy_of(alone)]
+
+
+def alone_in_water(ligand: Added) -> openmm.System:
+    """A System of its own, with the same implicit water."""
+    system = openmm.XmlSerializer.clone(ligand.system)
+    nonbonded = force_of(system, openmm.NonbondedForce)
+    nonbonded.setNonbondedMethod(openmm.NonbondedForce.CutoffNonPeriodic)
+    nonbonded.setCutoffDistance(CUTOFF)
+    nonbonded.setReactionFieldDielectric(1.0)
+    system.addForce(solvent(ligand.topology, nonbonded))
+    return system
 
 
 def dynamics(job: Values) -> Arrays:
@@ -217,7 +283,7 @@ def dynamics(job: Values) -> Arrays:
     require_time(job)
     integrator = openmm.LangevinMiddleIntegrator(TEMPERATURE, FRICTION, STEP)
     integrator.setRandomNumberSeed(SEED)
-    context = make_context(system_of(job, moves=True), integrator)
+    context = make_context(system_of(job, moves=True), integrator, job["platform"])
     context.setPositions(job["structure"])
     openmm.LocalEnergyMinimizer.minimize(context, TOLERANCE, int(job["settle"]))
     context.setVelocitiesToTemperature(TEMPERATURE, SEED)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -11,8 +12,9 @@ import numpy.typing as npt
 
 from pliant._core import InputError, Structure
 from pliant.base.extras import MissingPackageError
+from pliant.base.force_field_options import ForceFieldOptions
 from pliant.checks.ligands.chemistry import Chemistry, chemistry_of
-from pliant.checks.ligands.parameters import LigandOptions, Parameters, parameters_of
+from pliant.checks.ligands.parameters import Parameters, parameters_of
 
 #: elements of ions that OpenMM's amber14 files have, by name of their template
 IONS = {11: "NA", 12: "MG", 17: "CL", 19: "K", 20: "CA", 30: "ZN"}
@@ -55,13 +57,15 @@ class Others:
 
 
 def others_of(
-    structure: Structure, known: npt.NDArray[np.bool_], options: LigandOptions,
+    structure: Structure, known: npt.NDArray[np.bool_], options: ForceFieldOptions,
     say: Callable[[str], None],
 ) -> Others:
     """All atoms but those that are `known` (N,)."""
-    found, ions = Others(), []
+    found, ions, labels = Others(), [], Counter[str]()
     for atoms in parts(structure, ~known):
         (label,) = residue_labels(structure, atoms[:1])
+        labels[label] += 1
+        label += f"#{labels[label]}" * (labels[label] > 1)
         elements = structure.elements[atoms]
         if len(atoms) == 1 and int(elements[0]) in IONS:
             ions.append(int(atoms[0]))
@@ -95,7 +99,7 @@ def _ligand(
     atoms: Atoms,
     known: npt.NDArray[np.bool_],
     label: str,
-    options: LigandOptions,
+    options: ForceFieldOptions,
     say: Callable[[str], None],
 ) -> Ligand:
     """Raises InputError or MissingPackageError."""
@@ -106,7 +110,7 @@ def _ligand(
         end = next(int(k) for k in across[0] if k not in atoms)
         raise InputError(f"is bonded to {structure.label(end)}, which GAFF2 alone cannot describe")
     part = part_of(structure, atoms, structure.bonds[inside.all(axis=1)])
-    chemistry = chemistry_of(part, label, options.smiles)
+    chemistry = chemistry_of(part, label, options.ligands)
     parameters = parameters_of(chemistry.molecule, options.charges, label, say)
     return Ligand(label, atoms, chemistry, parameters)
 

@@ -12,8 +12,8 @@ import contextlib
 import hashlib
 import json
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -33,14 +33,6 @@ Chem = late("rdkit.Chem")
 
 #: prefix of names of files: what changes files of earlier versions changes it
 FORMAT = "gaff2-1"
-
-
-@dataclass(frozen=True)
-class LigandOptions:
-    """How ligands get parameters."""
-
-    charges: str = "am1-bcc"  #: a key of ambertools.CHARGES, or "none": leave ligands out
-    smiles: Mapping[str, str] = field(default_factory=dict)  #: chemistry, by residue name
 
 
 @dataclass(frozen=True)

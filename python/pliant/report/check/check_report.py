@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from pliant import _core
-from pliant.base.console import Table, printable_name
+from pliant.base.console import Table, listed, printable_name
 from pliant.base.display import Displayed, Facts
 from pliant.base.verdict import Verdict, verdict_of_all
 from pliant.checks import contest as side_by_side
@@ -116,10 +116,21 @@ def _head(report: CheckReport) -> Iterator[Line]:
         f"{len(report.sample.frames)} frames shown to OpenMM {report.openmm_version}"
     )
     if covers.left_out:
+        of = "the rest" if covers.ligands else "the protein"
         yield (
             f"left out of the force field, which has no parameters for them: {covers.without}. "
-            "MD starts are of\nthe protein alone; what frames do near these is not checked."
+            f"MD starts are of\n{of} alone; what frames do near these is not checked."
         )
+        yield from _reasons(report.force_field)
+
+
+def _reasons(found: ForceFieldReport | None) -> Iterator[Line]:
+    """Why each of what was left out was."""
+    labels: dict[str, list[str]] = {}
+    for label, why in (found.why_left_out if found else {}).items():
+        labels.setdefault(why, []).append(label)
+    for why, those in labels.items():
+        yield f"  {listed(those, MOST_NAMED)}: {why}"
 
 
 def _head_values(report: CheckReport) -> Values:
@@ -202,6 +213,8 @@ def _residual_cell(residual: float) -> str:
     return f"{residual:.1e}" if math.isfinite(residual) else "no number"
 
 
+MOST_NAMED = 4  #: of what was left out for one reason
+LIGAND_COLUMNS = ("structures", "energy", "contacts", "strain", "moved")
 FORCE_FIELD_COLUMNS = ("structures", "worst force before", "100 steps", "500 steps", "CA moved")
 
 
@@ -238,6 +251,23 @@ def _cell(values: np.ndarray, sign: str) -> str:
     return f"{values.mean():{sign}.2f} ({values.max():{sign}.2f})"
 
 
+def _ligand_table(report: ForceFieldReport) -> Table:
+    """A row for the start, one for the frames, of each ligand; mean and the most."""
+    table = Table(
+        "ligands after 100 steps, kJ/mol in implicit water; moved: without hydrogens; mean (most)",
+        ["", *LIGAND_COLUMNS],
+    )
+    for label in report.ligands:
+        for name, those in (("the start", [report.start]), ("frames", report.usable)):
+            found = [one.ligands[label] for one in those if label in one.ligands]
+            columns = [
+                np.array([getattr(one, key) for one in found]) for key in LIGAND_COLUMNS[1:]
+            ]
+            cells = [_cell(column, "") for column in columns]
+            table.rows.append([f"{label}, {name}", str(len(found)), *cells[:-1], f"{cells[-1]} A"])
+    return table
+
+
 def _force_field_notes(report: ForceFieldReport) -> list[str]:
     """What the table does not say."""
     if report.why_not:
@@ -245,11 +275,16 @@ def _force_field_notes(report: ForceFieldReport) -> list[str]:
     lines = [
         f"force field: {report.residues} residues, {report.atoms} atoms, of which "
         f"{report.placed_hydrogens} hydrogens were placed by rule in each frame; cut-off 16 A, "
-        f"CPU platform with deterministic forces, one thread a frame; {report.seconds:.0f} s",
+        f"{_platform(report)}; {report.seconds:.0f} s",
         "worst force before: kJ/(mol nm) on an atom, median; a minimiser also repairs broken "
         "frames: how far it moves atoms shows how good the frame was",
     ]
     return lines + report.notes
+
+
+def _platform(report: ForceFieldReport) -> str:
+    how = {"CPU": "deterministic forces, one thread a frame", "Reference": "double precision"}
+    return f"{report.platform} platform with {how.get(report.platform, 'mixed precision')}"
 
 
 def _contest(report: CheckReport) -> Iterator[Line]:
@@ -260,6 +295,8 @@ def _contest(report: CheckReport) -> Iterator[Line]:
 def _minimised(report: CheckReport) -> Iterator[Line]:
     if report.force_field is not None and not report.force_field.why_not:
         yield from ("", _minimised_table(report.force_field))
+        if report.force_field.ligands:
+            yield from ("", _ligand_table(report.force_field))
 
 
 def _notes(report: CheckReport) -> Iterator[Line]:

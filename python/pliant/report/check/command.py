@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from pliant.base import console
 from pliant.base.extras import late
+from pliant.base.force_field_options import add_options
 from pliant.base.said import notes_shown_by
 from pliant.report.build import Report, print_lines
 
@@ -22,8 +23,12 @@ Frames can be used to start MD if all numbers stay finite, no two atoms are in t
 residue keeps its chirality, and in 95 % of the frames the energy ends at most 3 (100 steps) and 1
 (500 steps) kJ/mol per residue above that of the start structure, and alpha carbons move by at most
 0.4 Angstrom in 100 steps. It is best to add hydrogens before sampling: pliant sample
---all-hydrogens keeps them clear of other atoms. Ligands, ions and modified residues have no
-parameters in amber14: they are left out, and the verdict is then of the protein alone.
+--all-hydrogens keeps them clear of other atoms.
+
+Ligands get GAFF2 parameters where AmberTools is installed (pip install "pliant[ligands]"; once, they
+are kept in ~/.cache/pliant), ions those of amber14. A ligand must move by at most 1 Angstrom, and
+its strain end at most 50 kJ/mol above that in the start. What has no parameters is left out, the
+report says why, and the verdict is then of the rest alone.
 
 The atoms are those of the file. Which are selected, kept, added or protonated is said to pliant
 sample (--select, --keep, --fill-side-chains, --all-hydrogens, --protonate), whose file says it
@@ -33,6 +38,7 @@ examples:
   pliant check out.h5md
   pliant check ensemble.h5md --thorough
   pliant check out.h5md --frames all --json > check.json
+  pliant check complex.h5md --ligand "STR=CC(=O)C1CCC2C3CCC4=CC(=O)CCC4(C)C3CCC12C"
   pliant check ensemble.h5md --no-force-field
 """
 
@@ -79,6 +85,7 @@ def _add_force_field(parser: console.Parser) -> None:
     add("--starts", metavar="N", type=console.whole_number(1, "all"), help=text)
     text = "structure that the ensemble began with (default: the PDB beside it)"
     add("--reference", metavar="FILE", help=text)
+    add_options(add)
 
 
 def main(words: Sequence[str] | None = None) -> int:
@@ -96,6 +103,9 @@ def _check(arguments: argparse.Namespace) -> int:
             thorough=arguments.thorough,
             starts=arguments.starts,
             start=arguments.reference,
+            charges=arguments.charges,
+            ligands=dict(arguments.ligand or []),
+            platform=arguments.platform,
             picture=_picture_path(arguments),
             quiet=arguments.quiet or arguments.json,
         )

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from pliant._core import InputError
 from pliant.base.checked import ABOVE_0, POSITIVES, SEED, checked, whole
 from pliant.base.console import note, progress
 from pliant.base.extras import late, need
+from pliant.base.force_field_options import ONE_OF_CHARGES, ForceFieldOptions
 from pliant.checks import contest as side_by_side
 from pliant.checks import ours, theirs
 from pliant.checks.check_energy import check_energy, energy_job
@@ -45,6 +46,7 @@ MOST_ENERGIES = 10
     long_starts=whole(0),
     md_steps=whole(0),
     total_limit=ABOVE_0,
+    charges=ONE_OF_CHARGES,
 )
 def check(
     path: str | os.PathLike[str],
@@ -60,6 +62,9 @@ def check(
     md_steps: int | None = None,
     start: str | os.PathLike[str] | None = None,
     total_limit: float = Wanted.total_limit,
+    charges: str = "am1-bcc",
+    ligands: Mapping[str, str] | None = None,
+    platform: str = "auto",
     picture: str | os.PathLike[str] | None = None,
     quiet: bool = True,
 ) -> CheckReport:
@@ -106,6 +111,13 @@ def check(
     total_limit : float
         After so many seconds of minimising no structure is begun; what there is by then is given,
         and called partial.
+    charges : "am1-bcc", "gasteiger" or "none"
+        Of ligands, which get GAFF2 parameters by AmberTools; "none": they are left out.
+    ligands : mapping, optional
+        SMILES of ligands by residue name: bond orders, charges and hydrogens. Default: those of the
+        file, else guessed, which the report says.
+    platform : str
+        Of OpenMM: "CUDA", "HIP", "OpenCL", "CPU" or "Reference". Default: the fastest that works.
     picture : str or path, optional
         Where to draw a PNG.
     quiet : bool
@@ -118,6 +130,8 @@ def check(
     InputError
         The file is missing or not a trajectory of Pliant, or `force_field` is true and there is no
         start structure or no protein; the message says what is missing.
+    OptionError
+        An option is out of range, or OpenMM does not have the platform here.
     OSError
         The picture cannot be written.
     """
@@ -143,6 +157,7 @@ def check(
         start,
         time_limit,
         total_limit,
+        ForceFieldOptions(charges, ligands or {}, platform),
     )
     if force_field is None and start is None:
         if recording.kind == ENSEMBLE:

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""What is said of ligands and of OpenMM's platform: the same of every command that asks for them."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from pliant.base.checked import Wanted
+
+CHARGES = ("am1-bcc", "gasteiger", "none")
+ONE_OF_CHARGES = Wanted(f"one of {', '.join(CHARGES)}", lambda x: x in CHARGES)
+
+
+@dataclass(frozen=True)
+class ForceFieldOptions:
+    """How ligands get parameters, and where OpenMM computes."""
+
+    charges: str = "am1-bcc"  #: of CHARGES; "none": ligands are left out
+    ligands: Mapping[str, str] = field(default_factory=dict)  #: SMILES by residue name
+    platform: str = "auto"  #: of OpenMM; "auto": the fastest that works
+
+    @classmethod
+    def of(cls, arguments: argparse.Namespace) -> ForceFieldOptions:
+        """Those that `add_options` added."""
+        return cls(arguments.charges, dict(arguments.ligand or []), arguments.platform)
+
+
+def add_options(add: Callable[..., Any]) -> None:
+    """Adds them by the `add_argument` of a parser or a group."""
+    text = "of ligands, which get GAFF2 by AmberTools; none: leave ligands out (default am1-bcc)"
+    add("--charges", choices=CHARGES, default="am1-bcc", help=text)
+    text = (
+        "bond orders, charges and hydrogens of a ligand; may be given again (default: those of "
+        "the file, else guessed, which is said)"
+    )
+    add("--ligand", metavar="NAME=SMILES", type=_name_and_smiles, action="append", help=text)
+    text = "of OpenMM: CUDA, HIP, OpenCL, CPU, Reference (default auto: the fastest that works)"
+    add("--platform", metavar="NAME", default="auto", help=text)
+
+
+def _name_and_smiles(text: str) -> tuple[str, str]:
+    name, sign, smiles = text.partition("=")
+    if not (name and sign and smiles):
+        raise argparse.ArgumentTypeError(f"expected NAME=SMILES, found '{text}'")
+    return name, smiles
