@@ -22,6 +22,7 @@ _EXTRAS = {
     "matplotlib": ("matplotlib", "plot"),
     "mdtraj": ("MDTraj", "mdtraj"),
     "openmm": ("OpenMM", "openmm"),
+    "parmed": ("ParmEd", "export"),
     "prody": ("ProDy", "prody"),
     "rdkit": ("RDKit", "rdkit"),
     "scipy": ("SciPy", "lab"),

@@ -8,8 +8,10 @@ import sys
 from collections.abc import Sequence
 
 from pliant._core import OptionError
-from pliant.adapters.convert.write import convert
+from pliant.adapters.convert.write import PROGRAMS, Converted, convert
 from pliant.base import console
+from pliant.base.force_field_options import add_options
+from pliant.base.said import notes_shown_by
 from pliant.trajectory.recover.recover import recover
 
 EPILOG = """\
@@ -71,10 +73,18 @@ def make_parser() -> console.Parser:
     add("--superpose", action="store_true", help=text)
     text = "copy what can be read of IN, an H5MD file that other commands call damaged"
     add("--recover", action="store_true", help=text)
+    _add_force_field(parser)
     add("--overwrite", action="store_true", help="replace an existing OUT")
     add("--json", action="store_true", help="print what was written as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")
     return parser
+
+
+def _add_force_field(parser: console.Parser) -> None:
+    add = parser.add_argument_group("systems for molecular dynamics").add_argument
+    text = "systems that run, of a protein and its ligands, with parameters; OUT is a folder"
+    add("--to", choices=PROGRAMS, help=text)
+    add_options(add)
 
 
 def _file_name(text: str) -> str:
@@ -94,7 +104,19 @@ def _convert(arguments: argparse.Namespace) -> int:
         return _recover(arguments)
     if arguments.representatives is not None and arguments.every != 1:
         raise OptionError("--every, --representatives: expected one of the two")
-    done = convert(
+    with notes_shown_by((lambda _: None) if arguments.quiet else console.note):
+        done = _converted(arguments)
+    if arguments.json:
+        console.print_json(vars(done))
+    elif not arguments.quiet:
+        frames = console.counted(done.frames, "frame")
+        print(f"{done.path}: {frames} of {done.atoms} atoms, {done.format}")
+        print(*done.notes, sep="\n", end="\n" * bool(done.notes))
+    return console.EXIT_OK
+
+
+def _converted(arguments: argparse.Namespace) -> Converted:
+    return convert(
         arguments.file,
         arguments.output,
         select=arguments.select,
@@ -102,13 +124,11 @@ def _convert(arguments: argparse.Namespace) -> int:
         representatives=arguments.representatives,
         superpose=arguments.superpose,
         overwrite=arguments.overwrite,
+        to=arguments.to,
+        charges=arguments.charges,
+        ligands=dict(arguments.ligand or []),
+        platform=arguments.platform,
     )
-    if arguments.json:
-        console.print_json(vars(done))
-    elif not arguments.quiet:
-        frames = console.counted(done.frames, "frame")
-        print(f"{done.path}: {frames} of {done.atoms} atoms, {done.format}")
-    return console.EXIT_OK
 
 
 def _recover(arguments: argparse.Namespace) -> int:

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import errno
+import logging
 import os
 import pathlib
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,7 +20,9 @@ from pliant.adapters.convert.cif_models import write_models
 from pliant.adapters.convert.zarr_store import write_zarr
 from pliant.adapters.mdanalysis import to_mdanalysis
 from pliant.adapters.rdkit import to_rdkit
+from pliant.base.checked import Wanted, checked
 from pliant.base.extras import late, need
+from pliant.base.force_field_options import ONE_OF_CHARGES, ForceFieldOptions
 from pliant.base.new_file import new_file, new_text
 from pliant.trajectory.files import file_of
 from pliant.trajectory.frames import Moment
@@ -37,6 +40,9 @@ analysis = late("pliant.measure.stages.analysis")
 shapes = late("pliant.measure.shapes.representatives")
 stages = late("pliant.measure.stages.opened")
 MDAnalysis = late("MDAnalysis")
+exports = late("pliant.checks.force_field.export")
+#: that systems with parameters are written for
+PROGRAMS = {"openmm": "OpenMM", "gromacs": "GROMACS", "amber": "AMBER"}
 libdcd, libmdaxdr = map(late, ("MDAnalysis.lib.formats.libdcd", "MDAnalysis.lib.formats.libmdaxdr"))
 
 
@@ -48,8 +54,10 @@ class Converted:
     format: str
     frames: int
     atoms: int
+    notes: list[str] = field(default_factory=list)  #: on parameters, of what is written for MD
 
 
+@checked(charges=ONE_OF_CHARGES, to=Wanted("openmm, gromacs or amber", lambda x: x in PROGRAMS))
 def convert(
     source: HasFrames | Molecule,
     output: str | os.PathLike[str],
@@ -59,6 +67,10 @@ def convert(
     representatives: int | None = None,
     superpose: bool = False,
     overwrite: bool = False,
+    to: str | None = None,
+    charges: str = "am1-bcc",
+    ligands: Mapping[str, str] | None = None,
+    platform: str = "auto",
 ) -> Converted:
     """Writes frames in the format that `output` asks for.
 
@@ -79,6 +91,11 @@ def convert(
         Each frame is laid on the first, by least squares over the atoms that are written.
     overwrite : bool
         Replace an existing file.
+    to : "openmm", "gromacs" or "amber", optional
+        Write systems with parameters, of a protein and its ligands, that these programs run;
+        `output` is then a folder. Frames are minimised for 100 steps first.
+    charges, ligands, platform
+        With `to`: as `check` takes them.
 
     Raises
     ------
@@ -89,6 +106,10 @@ def convert(
     InputError, FileError
         The files cannot be read or written. `output` is then as it was before.
     """
+    if to is not None:
+        options = ForceFieldOptions(charges, ligands or {}, platform)
+        chosen = _Chosen(source, select, every, representatives)
+        return _exported(chosen, output, to, options, overwrite)
     ending = pathlib.Path(output).suffix.lower()
     if ending not in FORMATS:
         known = ", ".join(FORMATS)
@@ -97,22 +118,53 @@ def convert(
     if package:
         need(f"writing {name}", package)
     _refuse(source, output, overwrite)
-    trajectory = Trajectory(source)
-    if len(trajectory) == 0:
-        raise InputError(f"{trajectory.structure.source}: holds no frame")
-    structure = trajectory.structure
-    atoms = _chosen(structure, select)
-    part = structure if len(atoms) == len(structure) else _part_of(structure, select)
+    chosen = _Chosen(source, select, every, representatives)
+    trajectory, atoms = chosen.trajectory, chosen.atoms
     is_whole = every == 1 and representatives is None
     if ending in (".h5md", ".h5") and isinstance(source, SampledEnsemble) and is_whole:
         source.record(output, overwrite=overwrite, save=select)  # with all that is known of it
         return Converted(os.fspath(output), name, len(trajectory), len(atoms))
-    numbers: Sequence[int] = range(0, len(trajectory), every)
-    if representatives is not None:
-        numbers = _representatives(source, representatives)
-    frames = _frames(trajectory, atoms, numbers, superpose)
-    count = write(os.fspath(output), part, frames, overwrite)
+    frames = _frames(trajectory, atoms, chosen.numbers, superpose)
+    count = write(os.fspath(output), chosen.part, frames, overwrite)
     return Converted(os.fspath(output), name, count, len(atoms))
+
+
+class _Chosen:
+    """The frames and atoms that are written."""
+
+    def __init__(
+        self,
+        source: HasFrames | Molecule,
+        select: str,
+        every: int,
+        representatives: int | None,
+    ) -> None:
+        self.trajectory = Trajectory(source)
+        structure = self.trajectory.structure
+        if len(self.trajectory) == 0:
+            raise InputError(f"{structure.source}: holds no frame")
+        self.atoms = _chosen(structure, select)
+        is_all = len(self.atoms) == len(structure)
+        self.part = structure if is_all else _part_of(structure, select)
+        self.numbers: Sequence[int] = range(0, len(self.trajectory), every)
+        if representatives is not None:
+            self.numbers = _representatives(source, representatives)
+
+
+def _exported(
+    chosen: _Chosen,
+    output: str | os.PathLike[str],
+    to: str,
+    options: ForceFieldOptions,
+    overwrite: bool,
+) -> Converted:
+    positions = np.array([chosen.trajectory[k][chosen.atoms] for k in chosen.numbers])
+    say = logging.getLogger("pliant").info
+    made = exports.export(
+        chosen.part, positions, chosen.numbers, output, to, options, say, overwrite=overwrite
+    )
+    name = f"to start {PROGRAMS[to]} from"
+    return Converted(os.fspath(output), name, len(positions), made.atoms, made.notes)
 
 
 def _refuse(source: HasFrames | Molecule, output: str | os.PathLike[str], overwrite: bool) -> None:

@@ -32,6 +32,7 @@ class Molecule:
     residue_of: np.ndarray  #: (M,)
     labels: list[str]  #: (R,) "A:LYS45"
     bonds: np.ndarray  #: (B, 2)
+    firsts: list[int]  #: (R,) an atom of the file in each residue
     ligands: list[Ligand] = field(default_factory=list)
     left_out: dict[str, int] = field(default_factory=dict)  #: residues without a template, by name
     why: dict[str, str] = field(default_factory=dict)  #: these were left out, by label
@@ -69,6 +70,7 @@ class Molecule:
         self.names = np.concatenate([self.names, ligand.names])
         self.residue_of = np.append(self.residue_of, [len(self.labels)] * len(elements))
         self.labels.append(ligand.label)
+        self.firsts.append(int(ligand.atoms[0]))
         self.bonds = np.concatenate([self.bonds, first + np.array(bonds, int).reshape(-1, 2)])
         self.ligands.append(ligand)
 
@@ -177,6 +179,7 @@ def _ordered(
         names=np.concatenate([structure.names[kept], np.full(len(carrier), "H")])[order],
         residue_of=residue_index,
         labels=residue_labels(structure, firsts),
+        firsts=firsts.tolist(),
         bonds=np.concatenate(
             [new[bonds], np.column_stack([new[carrier], place[len(kept) :]])]
         ).reshape(-1, 2),

@@ -21,6 +21,7 @@ import openmm
 from openmm import app
 
 from pliant.checks.force_field.added import Added, added_of, force_of
+from pliant.checks.force_field.written import write
 from pliant.checks.openmm import worker
 from pliant.checks.openmm.worker import Arrays, Values
 
@@ -297,7 +298,13 @@ def dynamics(job: Values) -> Arrays:
     return {"positions": np.array(found)}
 
 
-KINDS = {"match": match, "minimise": minimise, "dynamics": dynamics}
+def export(job: Values) -> Arrays:
+    """Writes files for another program."""
+    write(job, make_system(job))
+    return {}
+
+
+KINDS = {"match": match, "minimise": minimise, "dynamics": dynamics, "export": export}
 
 if __name__ == "__main__":
     worker.main(pathlib.Path(sys.argv[1]), int(sys.argv[2]), KINDS)
