@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import io
 import tempfile
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,38 +18,96 @@ import numpy as np
 import openmm
 from openmm import app
 
-#: nm, kJ/mol: what OpenMM's implicit files and amber14 have
+#: forces by what their terms are called, and how many atoms a term has
+FORCES = {
+    "Bond": (openmm.HarmonicBondForce, 2),
+    "Angle": (openmm.HarmonicAngleForce, 3),
+    "Torsion": (openmm.PeriodicTorsionForce, 4),
+}
+#: of pairs three bonds apart, as in amber14
 SCALES = 'coulomb14scale="0.8333333333333334" lj14scale="0.5"'
+
+
+#: Type in amber14 and charge of the backbone of a residue, the same in all that are not charged, and
+#: none of PRO: J. A. Maier et al., J. Chem. Theory Comput. 11 (2015) 3696. CA and its hydrogen have
+#: charges of their own in each.
+BACKBONE: dict[str, tuple[str, float | None]] = {
+    "N": ("protein-N", -0.4157),
+    "H": ("protein-H", 0.2719),
+    "CA": ("protein-CX", None),
+    "C": ("protein-C", 0.5973),
+    "O": ("protein-O", -0.5679),
+}
 
 
 @dataclass
 class Added:
-    """A residue that a topology describes."""
+    """A molecule, or a residue between caps, that a topology describes.
+
+    The backbone of a residue has types of amber14, and what it shares with other residues is that
+    of amber14; the charge that this leaves is shared by its other atoms.
+    """
 
     name: str  #: of its template
-    where: np.ndarray  #: (L,) particle of the System that each atom of the topology is
+    where: np.ndarray  #: (L,) particle of the System that each atom of the topology is, or -1
+    own: np.ndarray  #: (L,) whether it is no cap
+    names: list[str]  #: (L,) in the System
     topology: app.Topology
     system: openmm.System  #: of it alone, without water
+
+    def __post_init__(self) -> None:
+        self._elements = [atom.element.atomic_number for atom in self.topology.atoms()]
+        self._backbone = [
+            BACKBONE.get(name) if not self.is_molecule and one else None
+            for name, one in zip(self.names, self.own.tolist(), strict=True)
+        ]
+
+    @property
+    def is_molecule(self) -> bool:
+        """No caps."""
+        return bool(self.own.all())
 
     def register(self, field: app.ForceField) -> None:
         """Gives a ForceField the template."""
         field.loadFile(io.StringIO(self._xml()))
 
+    def _charges(self) -> list[float]:
+        """Of all atoms, of which those that are its own have a whole charge together."""
+        nonbonded = force_of(self.system, openmm.NonbondedForce)
+        charges = np.array(
+            [nonbonded.getParticleParameters(k)[0]._value for k in range(len(self.own))]
+        )
+        fixed = np.zeros(len(charges), bool)
+        for k, known in enumerate(self._backbone):
+            if known is not None and known[1] is not None:
+                charges[k], fixed[k] = known[1], True
+        if fixed.any():
+            free = self.own & ~fixed
+            whole = round(float(charges.sum()))
+            charges[free] += (whole - charges[self.own].sum()) / free.sum()
+        found: list[float] = charges.tolist()
+        return found
+
     def _xml(self) -> str:
         nonbonded = force_of(self.system, openmm.NonbondedForce)
+        charges = self._charges()
         types, atoms, sizes = [], [], []
         for k, atom in enumerate(self.topology.atoms()):
-            charge, sigma, epsilon = (
-                one._value for one in nonbonded.getParticleParameters(k)
-            )
-            kind, mass = f"{self.name}-{k}", atom.element.mass._value
-            types.append(
-                f'<Type name="{kind}" class="{kind}" element="{atom.element.symbol}" mass="{mass}"/>'
-            )
-            atoms.append(f'<Atom name="{kind}" type="{kind}" charge="{charge!r}"/>')
-            sizes.append(f'<Atom type="{kind}" sigma="{sigma!r}" epsilon="{epsilon!r}"/>')
+            if not self.own[k]:
+                continue
+            _, sigma, epsilon = (one._value for one in nonbonded.getParticleParameters(k))
+            kind, mass = self._type(k), atom.element.mass._value
+            atoms.append(f'<Atom name="{k}" type="{kind}" charge="{charges[k]!r}"/>')
+            if self._backbone[k] is None:
+                types.append(
+                    f'<Type name="{kind}" class="{kind}" element="{atom.element.symbol}" '
+                    f'mass="{mass}"/>'
+                )
+                sizes.append(f'<Atom type="{kind}" sigma="{sigma!r}" epsilon="{epsilon!r}"/>')
         bonds = [
-            f'<Bond from="{a.index}" to="{b.index}"/>' for a, b in self.topology.bonds()
+            f'<Bond atomName1="{a.index}" atomName2="{b.index}"/>'
+            for a, b in self.topology.bonds()
+            if self.own[a.index] and self.own[b.index]
         ]
         return (
             f"<ForceField><AtomTypes>{''.join(types)}</AtomTypes><Residues>"
@@ -57,44 +116,48 @@ class Added:
             "</NonbondedForce></ForceField>"
         )
 
+    def _type(self, atom: int) -> str:
+        known = self._backbone[atom]
+        return f"{self.name}-{atom}" if known is None else known[0]
+
+    def _is_added(self, atoms: list[int]) -> bool:
+        """Whether a term is the topology's: all its atoms are there, and one is not amber14's."""
+        is_there = all(self.where[k] >= 0 for k in atoms)
+        return is_there and any(self.own[k] and self._backbone[k] is None for k in atoms)
+
     def add_terms(self, system: openmm.System, *, constrain: bool) -> None:
         """Adds bonds, angles and torsions; `constrain`: bonds of hydrogens are constraints."""
-        where = self.where.tolist()
-        own = force_of(self.system, openmm.HarmonicBondForce)
-        bonds = force_of(system, openmm.HarmonicBondForce)
-        for k in range(own.getNumBonds()):
-            a, b, length, strength = own.getBondParameters(k)
-            if constrain and any(self.is_hydrogen(end) for end in (a, b)):
-                system.addConstraint(where[a], where[b], length)
+        for kind, atoms, values in self._terms():
+            places = [int(self.where[k]) for k in atoms]
+            if kind == "Bond" and constrain and any(self.is_hydrogen(k) for k in atoms):
+                system.addConstraint(*places, values[0])
             else:
-                bonds.addBond(where[a], where[b], length, strength)
-        own = force_of(self.system, openmm.HarmonicAngleForce)
-        angles = force_of(system, openmm.HarmonicAngleForce)
-        for k in range(own.getNumAngles()):
-            a, b, c, *values = own.getAngleParameters(k)
-            angles.addAngle(where[a], where[b], where[c], *values)
-        own = force_of(self.system, openmm.PeriodicTorsionForce)
-        torsions = force_of(system, openmm.PeriodicTorsionForce)
-        for k in range(own.getNumTorsions()):
-            a, b, c, d, *values = own.getTorsionParameters(k)
-            torsions.addTorsion(where[a], where[b], where[c], where[d], *values)
+                getattr(force_of(system, FORCES[kind][0]), f"add{kind}")(*places, *values)
+
+    def _terms(self) -> Iterator[tuple[str, list[int], list[Any]]]:
+        """What kind, atoms of the topology, and values."""
+        for kind, (force, count) in FORCES.items():
+            own = force_of(self.system, force)
+            for k in range(getattr(own, f"getNum{kind}s")()):
+                found = getattr(own, f"get{kind}Parameters")(k)
+                if self._is_added(found[:count]):
+                    yield kind, found[:count], found[count:]
 
     def is_hydrogen(self, atom: int) -> bool:
         """Of the topology's atoms."""
         return bool(self._elements[atom] == 1)
 
-    def __post_init__(self) -> None:
-        self._elements = [atom.element.atomic_number for atom in self.topology.atoms()]
 
-
-def added_of(prmtop: bytes, where: np.ndarray, name: str) -> Added:
+def added_of(
+    prmtop: bytes, where: np.ndarray, own: np.ndarray, names: list[str], name: str
+) -> Added:
     """Of the text of an AMBER topology."""
     with tempfile.TemporaryDirectory(prefix="pliant-prmtop-") as folder:
         file = Path(folder, "ligand.prmtop")
         file.write_bytes(prmtop)
         read = app.AmberPrmtopFile(str(file))
     system = read.createSystem(nonbondedMethod=app.NoCutoff, removeCMMotion=False)
-    return Added(name, where, read.topology, system)
+    return Added(name, where, own, names, read.topology, system)
 
 
 def force_of(system: openmm.System, kind: type) -> Any:

@@ -56,8 +56,10 @@ class Bench:
         for one in molecule.ligands:
             number, parameters = molecule.labels.index(one.label), one.parameters
             text = np.frombuffer(parameters.prmtop.encode(), np.uint8)
-            where = molecule.atoms_of(one)[parameters.order]
-            self._arrays |= {f"prmtop-{number}": text, f"where-{number}": where}
+            where = molecule.where(one)[parameters.order]
+            own = np.isin(parameters.order, one.own)
+            arrays = {"prmtop": text, "where": where, "own": own}
+            self._arrays |= {f"{name}-{number}": array for name, array in arrays.items()}
 
     def match(self) -> Outcome:
         """Whether every residue has a template."""

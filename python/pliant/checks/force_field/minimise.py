@@ -143,7 +143,7 @@ def minimise_frames(
         long_starts=wanted.long_starts,
         left_out=molecule.left_out,
         why_left_out=molecule.why,
-        ligands=[one.label for one in molecule.ligands],
+        ligands=[one.label for one in molecule.whole_ligands],
         notes=molecule.notes,
     )
     matched = bench.match()
@@ -261,7 +261,7 @@ class _Minimisation:
         target.moved = self._moved(given, after)
         turned = handedness(after, self.corners) != self.hands
         target.inverted = [self.labels[k] for k in np.flatnonzero(turned)]
-        rows = zip(self.molecule.ligands, outcome.arrays["ligands"].tolist(), strict=True)
+        rows = zip(self.molecule.whole_ligands, outcome.arrays["ligands"].tolist(), strict=True)
         for ligand, (energy, contacts, strain) in rows:
             atoms = self.molecule.atoms_of(ligand)
             heavy = atoms[self.molecule.elements[atoms] > 1]

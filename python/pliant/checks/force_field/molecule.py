@@ -21,7 +21,7 @@ WITHOUT_LIGANDS = ForceFieldOptions("none")
 class Molecule:
     """Atoms as OpenMM gets them: those kept and hydrogens that were missing, residue by residue.
 
-    Ligands come after all else, each as one residue.
+    A ligand is one residue. Residues come in the sequence of the file.
     """
 
     kept: np.ndarray  #: (K,) atoms of the file that are of proteins, and ions
@@ -33,6 +33,8 @@ class Molecule:
     labels: list[str]  #: (R,) "A:LYS45"
     bonds: np.ndarray  #: (B, 2)
     firsts: list[int]  #: (R,) an atom of the file in each residue
+    of_file: np.ndarray  #: (N,) the completed atom that each of the file is, -1 of those left out
+    sequence: np.ndarray  #: (M,) of atoms of proteins, then of each ligand: as they come
     ligands: list[Ligand] = field(default_factory=list)
     left_out: dict[str, int] = field(default_factory=dict)  #: residues without a template, by name
     why: dict[str, str] = field(default_factory=dict)  #: these were left out, by label
@@ -41,8 +43,13 @@ class Molecule:
     @property
     def placed(self) -> int:
         """Hydrogens that the file has not."""
-        given = len(self.kept) + sum(one.chemistry.given for one in self.ligands)
+        given = len(self.kept) + sum(len(one.atoms) for one in self.ligands)
         return len(self.elements) - given
+
+    @property
+    def whole_ligands(self) -> list[Ligand]:
+        """Those that are molecules, not residues of a chain."""
+        return [one for one in self.ligands if not len(one.caps)]
 
     @property
     def alpha_carbons(self) -> np.ndarray:
@@ -53,26 +60,52 @@ class Molecule:
         """(M, 3) of a frame (N, 3) of the file, Angstrom."""
         placed = [group.place(positions).reshape(-1, 3) for group in self.missing]
         protein = np.concatenate([positions[self.kept], *placed])[self.order]
-        ligands = [one.chemistry.complete(positions[one.atoms]) for one in self.ligands]
-        completed: np.ndarray = np.concatenate([protein, *ligands])
+        ligands = [one.complete(positions) for one in self.ligands]
+        completed: np.ndarray = np.concatenate([protein, *ligands])[self.sequence]
         return completed
 
     def atoms_of(self, ligand: Ligand) -> np.ndarray:
         """(L,) of the completed atoms."""
         return np.flatnonzero(self.residue_of == self.labels.index(ligand.label))
 
+    def where(self, ligand: Ligand) -> np.ndarray:
+        """(C,) the completed atom of each of its chemistry, -1 of hydrogens of caps."""
+        where = np.full(ligand.chemistry.molecule.GetNumAtoms(), -1)
+        given = np.concatenate([ligand.atoms, ligand.caps])
+        where[: len(given)] = self.of_file[given]
+        where[ligand.own] = self.atoms_of(ligand)
+        return where
+
     def add(self, ligand: Ligand) -> None:
         """Appends the atoms of a ligand as a residue."""
         first, molecule = len(self.elements), ligand.chemistry.molecule
-        elements = [atom.GetAtomicNum() for atom in molecule.GetAtoms()]
-        bonds = [(b.GetBeginAtomIdx(), b.GetEndAtomIdx()) for b in molecule.GetBonds()]
+        new = np.full(molecule.GetNumAtoms(), -1)
+        new[ligand.own] = first + np.arange(len(ligand.own))
+        elements = [molecule.GetAtomWithIdx(int(k)).GetAtomicNum() for k in ligand.own]
         self.elements = np.concatenate([self.elements, elements])
         self.names = np.concatenate([self.names, ligand.names])
         self.residue_of = np.append(self.residue_of, [len(self.labels)] * len(elements))
         self.labels.append(ligand.label)
         self.firsts.append(int(ligand.atoms[0]))
-        self.bonds = np.concatenate([self.bonds, first + np.array(bonds, int).reshape(-1, 2)])
+        self.of_file[ligand.atoms] = first + np.arange(len(ligand.atoms))
+        given = np.concatenate([ligand.atoms, ligand.caps])
+        new[len(ligand.atoms) : len(given)] = self.of_file[ligand.caps]
+        ends = [(new[b.GetBeginAtomIdx()], new[b.GetEndAtomIdx()]) for b in molecule.GetBonds()]
+        bonds = [two for two in ends if min(two) >= 0 and max(two) >= first]
+        self.bonds = np.concatenate([self.bonds, np.array(bonds, int).reshape(-1, 2)])
         self.ligands.append(ligand)
+
+    def arrange(self) -> None:
+        """Puts residues that were appended where the file has them."""
+        rank = np.argsort(np.argsort(self.firsts, kind="stable"))
+        self.sequence = np.argsort(rank[self.residue_of], kind="stable")
+        place = np.argsort(self.sequence)
+        self.elements, self.names = self.elements[self.sequence], self.names[self.sequence]
+        self.residue_of = rank[self.residue_of][self.sequence]
+        self.labels = [self.labels[k] for k in np.argsort(rank)]
+        self.firsts = sorted(self.firsts)
+        self.bonds = place[self.bonds]
+        self.of_file = np.where(self.of_file < 0, -1, place[self.of_file])
 
     def corners(self) -> tuple[np.ndarray, list[str]]:
         """(C, 4) atoms N, C, CB and CA of residues that have a hand, and their labels."""
@@ -84,7 +117,7 @@ class Molecule:
                 found.append([by_name[name] for name in ("N", "C", "CB", "CA")])
                 labels.append(label)
         corners = [np.array(found, int).reshape(-1, 4)]
-        for ligand in self.ligands:
+        for ligand in self.whole_ligands:
             own = ligand.chemistry.corners()
             corners.append(self.atoms_of(ligand)[own])
             labels += [ligand.label] * len(own)
@@ -119,10 +152,11 @@ def molecule_of(
     wanted = _wanted(kept, names, residue_names)
     missing = find_missing(wanted, elements, _neighbours(bonds, len(elements)))
     molecule = _ordered(structure, kept, missing, bonds, residue_of)
-    molecule.notes += _notes_on_ends(molecule)
     for ligand in others.ligands:
         molecule.add(ligand)
         is_known[ligand.atoms] = True
+    molecule.arrange()
+    molecule.notes += _notes_on_ends(molecule)
     molecule.left_out = _left_out(structure, is_known)
     molecule.why = others.refused
     molecule.notes += _notes_on_others(structure, others)
@@ -180,6 +214,8 @@ def _ordered(
         residue_of=residue_index,
         labels=residue_labels(structure, firsts),
         firsts=firsts.tolist(),
+        of_file=new,
+        sequence=np.arange(len(owner)),
         bonds=np.concatenate(
             [new[bonds], np.column_stack([new[carrier], place[len(kept) :]])]
         ).reshape(-1, 2),

@@ -95,8 +95,9 @@ def added_to(job: Values) -> dict[int, Added]:
     found = {}
     for k in range(len(job["labels"])):
         if f"prmtop-{k}" in job:
-            text, where = job[f"prmtop-{k}"].tobytes(), job[f"where-{k}"]
-            found[k] = added_of(text, where, f"added-{k}")
+            text, where, own = (job[f"{name}-{k}"] for name in ("prmtop", "where", "own"))
+            names = job["names"][where].tolist()
+            found[k] = added_of(text.tobytes(), where, own, names, f"added-{k}")
     return found
 
 
@@ -230,7 +231,8 @@ def minimise(job: Values) -> Arrays:
     energies = np.full(len(stages) + 1, np.nan)
     positions = np.full((len(stages), *job["structure"].shape), np.nan)
     force = np.array(np.nan)
-    ligands = np.full((len(added_to(job)), 3), np.nan)
+    molecules = [one for one in added_to(job).values() if one.is_molecule]
+    ligands = np.full((len(molecules), 3), np.nan)
     context = make_context(system_of(job), openmm.VerletIntegrator(0.001), job["platform"])
     with contextlib.suppress(openmm.OpenMMException):  # such as "Particle coordinate is NaN"
         context.setPositions(job["structure"])
@@ -239,7 +241,7 @@ def minimise(job: Values) -> Arrays:
             openmm.LocalEnergyMinimizer.minimize(context, TOLERANCE, steps)
             energies[k + 1] = energy_of(context)
             positions[k] = worker.positions_of(context)
-        for k, one in enumerate(added_to(job).values()):
+        for k, one in enumerate(molecules):
             ligands[k] = of_ligand(context, one, positions[0], job["platform"])
     return {"energies": energies, "positions": positions, "worst_force": force, "ligands": ligands}
 

@@ -32,6 +32,7 @@ Chem = late("rdkit.Chem")
 CARBON = 6
 #: what GAFF2 has parameters for
 OF_GAFF = frozenset("H C N O F P S Cl Br I".split())
+GUESSED = "bond orders, charges and hydrogens were guessed from lengths and angles"
 MOST_HEAVY = 120  #: atoms without hydrogens; AM1 takes hours for more
 
 
@@ -75,8 +76,12 @@ class Chemistry:
         return np.array(found, np.int64).reshape(-1, 4)
 
 
-def chemistry_of(part: Structure, place: str, smiles: Mapping[str, str]) -> Chemistry:
+def chemistry_of(
+    part: Structure, place: str, smiles: Mapping[str, str], *, is_capped: bool = False
+) -> Chemistry:
     """Of a ligand, which is all of a structure; `smiles` are those that are known, by residue name.
+
+    A residue with caps, which lack hydrogens, is guessed.
 
     Without one, bond orders are those that the file states, or that RDKit finds from hydrogens, or
     that are guessed from lengths and angles. Raises InputError, which begins with `place`.
@@ -84,7 +89,9 @@ def chemistry_of(part: Structure, place: str, smiles: Mapping[str, str]) -> Chem
     need("parameters of a ligand", "rdkit", "scipy", extra="ligands")
     _check_elements(part, place)
     known = smiles.get(str(part.residue_names[0]))
-    if known is not None:
+    if is_capped:
+        made, source = _guessed(part, place), GUESSED
+    elif known is not None:
         made, _, _ = by_smiles(part, known, place)
         source = "its chemistry is that of the SMILES given"
     elif (part.bond_orders > 0).all() and len(part.bonds):
@@ -94,8 +101,7 @@ def chemistry_of(part: Structure, place: str, smiles: Mapping[str, str]) -> Chem
         made, _, _ = from_hydrogens(part, USUAL, place)
         source = "bond orders were guessed from the hydrogens"
     else:
-        made = _guessed(part, place)
-        source = "bond orders, charges and hydrogens were guessed from lengths and angles"
+        made, source = _guessed(part, place), GUESSED
     return _checked(_without_added(made, len(part)), source, place)
 
 

@@ -24,25 +24,44 @@ Atoms = npt.NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Ligand:
-    """A molecule of a structure with its parameters."""
+    """A molecule of a structure, or a modified residue of a chain, with its parameters.
+
+    The chemistry of a residue has caps: C, O and CA of the residue before it, N, H and CA of that
+    after it. Caps are no atoms of the ligand.
+    """
 
     label: str  #: "A:XK2263"
     atoms: Atoms  #: (G,) of the structure
-    chemistry: Chemistry
+    caps: Atoms  #: (K,) of the structure; none of a molecule
+    chemistry: Chemistry  #: of atoms, caps, and hydrogens that were added
     parameters: Parameters
 
     @property
+    def own(self) -> Atoms:
+        """(L,) atoms of the chemistry but caps and their hydrogens."""
+        given, own = self.chemistry.given, len(self.atoms)
+        added = [*self.chemistry.molecule.GetAtoms()][given:]
+        carriers = [one.GetNeighbors()[0].GetIdx() for one in added]
+        more = [given + k for k, carrier in enumerate(carriers) if carrier < own]
+        return np.array([*range(own), *more], np.int64)
+
+    @property
     def names(self) -> list[str]:
-        """Of all its atoms; "H" of hydrogens that were added."""
+        """(L,) of its atoms; "H" of hydrogens that were added."""
         known = [one.GetPDBResidueInfo() for one in self.chemistry.molecule.GetAtoms()]
-        return [one.GetName().strip() if one else "H" for one in known]
+        return [known[k].GetName().strip() if known[k] else "H" for k in self.own]
+
+    def complete(self, positions: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(L, 3) of positions (N, 3) of the structure."""
+        given = positions[np.concatenate([self.atoms, self.caps])]
+        return self.chemistry.complete(given)[self.own]
 
     @property
     def said(self) -> str:
         """What it was taken for."""
-        chemistry = self.chemistry
+        chemistry, capped = self.chemistry, " (capped)" if len(self.caps) else ""
         return (
-            f"{self.label}: GAFF2, charge {chemistry.charge:+d}, {chemistry.smiles}: "
+            f"{self.label}: GAFF2, charge {chemistry.charge:+d}, {chemistry.smiles}{capped}: "
             f"{chemistry.source}"
         )
 
@@ -57,7 +76,9 @@ class Others:
 
 
 def others_of(
-    structure: Structure, known: npt.NDArray[np.bool_], options: ForceFieldOptions,
+    structure: Structure,
+    known: npt.NDArray[np.bool_],
+    options: ForceFieldOptions,
     say: Callable[[str], None],
 ) -> Others:
     """All atoms but those that are `known` (N,)."""
@@ -105,29 +126,59 @@ def _ligand(
     """Raises InputError or MissingPackageError."""
     if options.charges == "none":
         raise InputError("left out by --charges none")
-    inside = np.isin(structure.bonds, atoms)
-    if len(across := structure.bonds[inside.sum(axis=1) == 1]):
-        end = next(int(k) for k in across[0] if k not in atoms)
-        raise InputError(f"is bonded to {structure.label(end)}, which GAFF2 alone cannot describe")
-    part = part_of(structure, atoms, structure.bonds[inside.all(axis=1)])
-    chemistry = chemistry_of(part, label, options.ligands)
+    caps = _caps(structure, atoms, known)
+    part = part_of(structure, np.concatenate([atoms, caps]))
+    chemistry = chemistry_of(part, label, options.ligands, is_capped=len(caps) > 0)
     parameters = parameters_of(chemistry.molecule, options.charges, label, say)
-    return Ligand(label, atoms, chemistry, parameters)
+    return Ligand(label, atoms, caps, chemistry, parameters)
 
 
-def part_of(structure: Structure, atoms: Atoms, bonds: npt.NDArray[np.uint32]) -> Structure:
-    """Atoms of a structure, with these of its bonds."""
+#: of a residue in a chain: its atoms of the backbone that must be there, one of each
+BACKBONE = ("N", "CA", "C", "O")
+#: atoms of the neighbours of a residue that stand for them, by the residue's atom at the bond
+CAPS = {"N": ("C", "O", "CA"), "C": ("N", "H", "CA")}
+
+
+def _caps(structure: Structure, atoms: Atoms, known: npt.NDArray[np.bool_]) -> Atoms:
+    """Of a residue within a chain; none of a molecule.
+
+    Raises InputError for what is bonded to a protein in another way.
+    """
+    names = structure.names
+    inside = np.isin(structure.bonds, atoms)
+    across = structure.bonds[inside.sum(axis=1) == 1].astype(np.int64)
+    ends = {
+        str(names[a if a in atoms else b]): int(b if a in atoms else a) for a, b in across.tolist()
+    }
+    if not ends:
+        return np.empty(0, np.int64)
+    own = names[atoms].tolist()
+    is_residue = all(own.count(name) == 1 for name in BACKBONE) and "H" in own
+    if not is_residue or {*ends} != {*CAPS} or len(across) != len(CAPS):
+        end = next(iter(ends.values()))
+        raise InputError(f"is bonded to {structure.label(end)}: neither a residue nor a molecule")
+    caps = []
+    for name, wanted in CAPS.items():
+        if not known[ends[name]]:
+            raise InputError(f"is bonded to {structure.label(ends[name])}, which is left out")
+        beside = np.flatnonzero(structure.residue_of == structure.residue_of[ends[name]])
+        caps += [int(k) for k in beside if names[k] in wanted]
+    return np.array(caps, np.int64)
+
+
+def part_of(structure: Structure, atoms: Atoms) -> Structure:
+    """Atoms of a structure, in this sequence, with the bonds between them."""
     new = np.full(len(structure), -1)
     new[atoms] = np.arange(len(atoms))
-    orders = {tuple(two): one for two, one in zip(structure.bonds.tolist(), structure.bond_orders.tolist(), strict=True)}
+    chosen = (new[structure.bonds] >= 0).all(axis=1)
     return Structure(
         structure.positions[atoms],
         elements=structure.elements[atoms],
         names=structure.names[atoms].tolist(),
         residue_names=structure.residue_names[atoms].tolist(),
         residue_ids=structure.residue_ids[atoms],
-        bonds=new[bonds],
-        bond_orders=[orders[tuple(two)] for two in bonds.tolist()],
+        bonds=new[structure.bonds[chosen]],
+        bond_orders=structure.bond_orders[chosen],
         charges=structure.charges[atoms] if len(structure.charges) else None,
     )
 
