@@ -93,6 +93,7 @@ ROW = re.compile(r"^\| `(\w+)` \| [^|]+ \| ([a-z, ]*)\|$", re.MULTILINE)
 DOOR = "the door"  # pliant itself, and what lies beside the rooms
 #: what goes against the table, and why
 EXCEPTIONS = {
+    "adapters imports pliant.checks.force_field.export": "convert --to",
     "trajectory imports pliant.adapters": "what has frames gives them to other packages",
     "trajectory imports pliant.adapters.convert.write": "HasFrames.save",
     "trajectory imports pliant.play.view": "HasFrames.view",

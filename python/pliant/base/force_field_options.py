@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is said of ligands and of OpenMM's platform: the same of every command that asks for them."""
+"""What is said of ligands and of OpenMM's platform, the same for all commands that ask for it."""
 
 from __future__ import annotations
 
@@ -22,10 +22,8 @@ class ForceFieldOptions:
     ligands: Mapping[str, str] = field(default_factory=dict)  #: SMILES by residue name
     platform: str = "auto"  #: of OpenMM; "auto": the fastest that works
 
-    @classmethod
-    def of(cls, arguments: argparse.Namespace) -> ForceFieldOptions:
-        """Those that `add_options` added."""
-        return cls(arguments.charges, dict(arguments.ligand or []), arguments.platform)
+
+USUAL = ForceFieldOptions()
 
 
 def add_options(add: Callable[..., Any]) -> None:
@@ -39,6 +37,15 @@ def add_options(add: Callable[..., Any]) -> None:
     add("--ligand", metavar="NAME=SMILES", type=_name_and_smiles, action="append", help=text)
     text = "of OpenMM: CUDA, HIP, OpenCL, CPU, Reference (default auto: the fastest that works)"
     add("--platform", metavar="NAME", default="auto", help=text)
+
+
+def taken(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What `add_options` added, as arguments of functions."""
+    return {
+        "charges": arguments.charges,
+        "ligands": dict(arguments.ligand or []),
+        "platform": arguments.platform,
+    }
 
 
 def _name_and_smiles(text: str) -> tuple[str, str]:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pliant._core import OptionError
 from pliant.adapters.convert.write import PROGRAMS, Converted, convert
 from pliant.base import console
-from pliant.base.force_field_options import add_options
+from pliant.base.force_field_options import add_options, taken
 from pliant.base.said import notes_shown_by
 from pliant.trajectory.recover.recover import recover
 
@@ -125,9 +125,7 @@ def _converted(arguments: argparse.Namespace) -> Converted:
         superpose=arguments.superpose,
         overwrite=arguments.overwrite,
         to=arguments.to,
-        charges=arguments.charges,
-        ligands=dict(arguments.ligand or []),
-        platform=arguments.platform,
+        **taken(arguments),
     )
 
 

@@ -8,7 +8,7 @@ import logging
 import os
 import pathlib
 import warnings
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -133,11 +133,7 @@ class _Chosen:
     """The frames and atoms that are written."""
 
     def __init__(
-        self,
-        source: HasFrames | Molecule,
-        select: str,
-        every: int,
-        representatives: int | None,
+        self, source: HasFrames | Molecule, select: str, every: int, representatives: int | None
     ) -> None:
         self.trajectory = Trajectory(source)
         structure = self.trajectory.structure

@@ -18,6 +18,8 @@ import numpy as np
 import openmm
 from openmm import app
 
+from pliant.base.new_file import write_bytes
+
 #: forces by what their terms are called, and how many atoms a term has
 FORCES = {
     "Bond": (openmm.HarmonicBondForce, 2),
@@ -28,9 +30,8 @@ FORCES = {
 SCALES = 'coulomb14scale="0.8333333333333334" lj14scale="0.5"'
 
 
-#: Type in amber14 and charge of the backbone of a residue, the same in all that are not charged, and
-#: none of PRO: J. A. Maier et al., J. Chem. Theory Comput. 11 (2015) 3696. CA and its hydrogen have
-#: charges of their own in each.
+#: Type in amber14 and charge of the backbone, those of residues without a charge (J. A. Maier et
+#: al., J. Chem. Theory Comput. 11 (2015) 3696). CA and its hydrogen have a charge of each residue.
 BACKBONE: dict[str, tuple[str, float | None]] = {
     "N": ("protein-N", -0.4157),
     "H": ("protein-H", 0.2719),
@@ -154,7 +155,7 @@ def added_of(
     """Of the text of an AMBER topology."""
     with tempfile.TemporaryDirectory(prefix="pliant-prmtop-") as folder:
         file = Path(folder, "ligand.prmtop")
-        file.write_bytes(prmtop)
+        write_bytes(file, prmtop)
         read = app.AmberPrmtopFile(str(file))
     system = read.createSystem(nonbondedMethod=app.NoCutoff, removeCMMotion=False)
     return Added(name, where, own, names, read.topology, system)

@@ -24,8 +24,8 @@ from pliant.checks.force_field.molecule import Molecule, molecule_of, why_not
 from pliant.checks.openmm.child import Job
 
 #: programs, and the packages that write their files
+PROGRAMS: dict[str, tuple[str, ...]] = {"openmm": (), "gromacs": ("parmed",), "amber": ("parmed",)}
 LONGEST_NAME = 4  #: of an atom, in a PDB file
-PROGRAMS = {"openmm": (), "gromacs": ("parmed",), "amber": ("parmed",)}
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ import numpy as np
 from pliant import _core
 from pliant._core import InputError, Structure
 from pliant.base.console import counted
+from pliant.base.force_field_options import USUAL, ForceFieldOptions
 from pliant.base.output_names import start_beside
 from pliant.checks.force_field.jobs import Bench, Progress, deadline_in
 from pliant.checks.force_field.minimised import (
@@ -25,7 +26,6 @@ from pliant.checks.force_field.minimised import (
     handedness,
 )
 from pliant.checks.force_field.molecule import Molecule, molecule_of, why_not
-from pliant.base.force_field_options import ForceFieldOptions
 from pliant.checks.openmm.child import Job, Outcome
 from pliant.checks.sample import NM
 from pliant.trajectory.chosen_frames import choose_frames
@@ -51,7 +51,7 @@ class Wanted:
     start: str | os.PathLike[str] | None = None  #: structure file; default: the PDB beside
     time_limit: float = 300.0  #: seconds of one job
     total_limit: float = 1200.0  #: seconds after which no structure is begun
-    force_field: ForceFieldOptions = ForceFieldOptions()
+    force_field: ForceFieldOptions = USUAL
 
     def starts_of(self, atoms: int) -> int | str:
         """`starts`, or as many as a quick look has for a molecule of so many atoms."""
@@ -268,9 +268,7 @@ class _Minimisation:
             moved = self._moved(given, after, heavy)
             target.ligands[ligand.label] = LigandFound(energy, contacts, strain, moved)
 
-    def _moved(
-        self, given: np.ndarray, after: np.ndarray, of: np.ndarray | None = None
-    ) -> float:
+    def _moved(self, given: np.ndarray, after: np.ndarray, of: np.ndarray | None = None) -> float:
         """RMSD of atoms, superposed on alpha carbons; by default of these themselves."""
         atoms = self.molecule.alpha_carbons
         atoms = atoms if len(atoms) > 2 else np.arange(len(given))

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pliant._core import Structure
+from pliant.base.force_field_options import ForceFieldOptions
 from pliant.checks.force_field.hydrogens import RESIDUES, Missing, find_missing, hydrogen_counts
 from pliant.checks.ligands.found import Ligand, Others, others_of, residue_labels
-from pliant.base.force_field_options import ForceFieldOptions
 
 WITHOUT_LIGANDS = ForceFieldOptions("none")
 

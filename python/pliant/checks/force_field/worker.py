@@ -164,9 +164,7 @@ def system_of(job: Values, *, moves: bool = False) -> openmm.System:
     return _kept[key]
 
 
-def make_context(
-    system: openmm.System, integrator: openmm.Integrator, name: str
-) -> openmm.Context:
+def make_context(system: openmm.System, integrator: openmm.Integrator, name: str) -> openmm.Context:
     """A Context of its own for each job: none sees what another left."""
     platform = openmm.Platform.getPlatform(name)
     properties = {

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import io
 import warnings
 from pathlib import Path
 from typing import Any
@@ -11,8 +12,12 @@ import numpy as np
 import openmm
 from openmm import app, unit
 
+from pliant.base.extras import late
+from pliant.base.new_file import write_text
 from pliant.checks.force_field.added import force_of
 from pliant.checks.openmm.worker import Values
+
+parmed_openmm = late("parmed.openmm")
 
 MARGIN = 1.0  #: nm, of the box around the atoms
 #: names of a topology, and of positions
@@ -44,10 +49,11 @@ def write(job: Values, system: openmm.System) -> None:
     if job["to"] != "openmm":
         _write_with_parmed(job, system, topology, folder)
         return
-    (folder / "system.xml").write_text(openmm.XmlSerializer.serialize(system))
+    write_text(folder / "system.xml", openmm.XmlSerializer.serialize(system))
     for name, positions in zip(names, job["structures"], strict=True):
-        with open(folder / f"{name}.pdb", "w", encoding="utf-8") as file:
-            app.PDBFile.writeFile(topology, positions * unit.nanometer, file, keepIds=True)
+        text = io.StringIO()
+        app.PDBFile.writeFile(topology, positions * unit.nanometer, text, keepIds=True)
+        write_text(folder / f"{name}.pdb", text.getvalue())
 
 
 def _write_with_parmed(
@@ -55,13 +61,13 @@ def _write_with_parmed(
 ) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of ParmEd, on what NumPy and OpenMM will change
-        from parmed.openmm import load_topology
-
         solvent = force_of(system, openmm.GBSAOBCForce)
         radii = [solvent.getParticleParameters(k)[1:] for k in range(system.getNumParticles())]
         kinds = [type(force).__name__ for force in system.getForces()]
         system.removeForce(kinds.index("GBSAOBCForce"))  # neither has it in its topology
-        made: Any = load_topology(topology, system, xyz=job["structures"][0] * unit.nanometer)
+        made: Any = parmed_openmm.load_topology(
+            topology, system, xyz=job["structures"][0] * unit.nanometer
+        )
         for atom, (radius, screen) in zip(made.atoms, radii, strict=True):
             atom.solvent_radius = radius.value_in_unit(unit.angstrom)
             atom.screen = screen

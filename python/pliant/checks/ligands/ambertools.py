@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 
 from pliant._core import InputError
 from pliant.base.extras import late
+from pliant.base.new_file import write_text
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
@@ -30,8 +31,9 @@ Chem = late("rdkit.Chem")
 PROGRAMS = ("antechamber", "parmchk2", "sqm", "tleap")
 REMEDY = 'pip install "pliant[ligands]" (Linux), or conda install -c conda-forge ambertools'
 #: ways to make charges, by how antechamber calls them
-CHARGES = {"am1-bcc": "bcc", "gasteiger": "gas"}
-#: of sqm: gradients are 0.005 kcal/(mol A), ten times antechamber's; charges differ by 0.002 e
+METHODS = {"am1-bcc": "bcc", "gasteiger": "gas"}
+#: of sqm: gradients end at 0.02 kcal/(mol A), 40 times antechamber's: half the time, and charges
+#: that differ by 0.001 e
 SQM = "qm_theory='AM1',grms_tol=0.02,scfconv=1.d-10,maxcyc=500,ndiis_attempts=700,"
 TIME_LIMIT = 1800.0  #: seconds of a program
 SAID_EVERY = 15.0  #: seconds
@@ -46,7 +48,7 @@ quit
 
 
 def programs() -> dict[str, str]:
-    """Paths by name: beside this Python, else on the PATH. Raises InputError for what is missing."""
+    """Paths by name: on the PATH, else beside this Python. Raises InputError for what is missing."""
     beside = os.path.dirname(sys.executable)
     found = {one: shutil.which(one) or shutil.which(one, path=beside) for one in PROGRAMS}
     if missing := [one for one, path in found.items() if path is None]:
@@ -58,7 +60,7 @@ def programs() -> dict[str, str]:
 def version(tleap: str) -> str:
     """Of GAFF2, as tleap reads it: "2.2.30, Oct 2025". Raises InputError where it cannot."""
     with tempfile.TemporaryDirectory(prefix="pliant-amber-") as folder:
-        Path(folder, "in").write_text("source leaprc.gaff2\nquit\n")
+        write_text(Path(folder, "in"), "source leaprc.gaff2\nquit\n")
         text = _run([tleap, "-f", "in"], Path(folder))
     found = re.search(r"Force Field for organic molecules \(Version ([^)]*)\)", text)
     if found is None:
@@ -69,16 +71,16 @@ def version(tleap: str) -> str:
 def parametrise(molecule: Mol, charges: str, say: Callable[[str], None]) -> str:
     """The prmtop of a molecule with hydrogens and a conformer, atoms in its order.
 
-    `charges` is a key of CHARGES; `say` hears, now and then, how long it takes. Raises InputError
+    `charges` is a key of METHODS; `say` hears, now and then, how long it takes. Raises InputError
     with the last words of the program that failed.
     """
     paths = programs()
     with tempfile.TemporaryDirectory(prefix="pliant-amber-") as name:
         folder = Path(name)
         Chem.MolToMolFile(molecule, str(folder / "ligand.mol"))
-        (folder / "leap.in").write_text(_LEAP)
+        write_text(folder / "leap.in", _LEAP)
         read = "-i ligand.mol -fi mdl -o ligand.mol2 -fo mol2 -at gaff2 -rn LIG -pf y -dr no"
-        net = ["-c", CHARGES[charges], "-nc", str(Chem.GetFormalCharge(molecule)), "-ek", SQM]
+        net = ["-c", METHODS[charges], "-nc", str(Chem.GetFormalCharge(molecule)), "-ek", SQM]
         wanted: dict[str, list[str]] = {
             "ligand.mol2": [paths["antechamber"], *read.split(), *net],
             "ligand.frcmod": [paths["parmchk2"], *_PARMCHK.split()],
@@ -96,32 +98,31 @@ _PARMCHK = "-i ligand.mol2 -f mol2 -o ligand.frcmod -s gaff2"
 
 def _run(command: Sequence[str], folder: Path, say: Callable[[str], None] | None = None) -> str:
     """What it prints. Raises InputError where it cannot be begun, fails or takes too long."""
-    name, began = Path(command[0]).name, time.monotonic()
-    output = folder / f"{name}.out"
-    place = os.path.dirname(command[0])  # where antechamber looks for sqm, sqm for nothing
+    name = Path(command[0]).name
+    place = os.path.dirname(command[0])  # where antechamber looks for sqm
     settings = {**os.environ, "OMP_NUM_THREADS": "1"}
     settings["PATH"] = os.pathsep.join([place, settings.get("PATH", "")])
-    with open(output, "wb") as file:
+    with tempfile.TemporaryFile() as output:
         try:
             child = subprocess.Popen(
-                [*command], cwd=folder, env=settings, stdout=file, stderr=subprocess.STDOUT
+                [*command], cwd=folder, env=settings, stdout=output, stderr=subprocess.STDOUT
             )
         except OSError as error:
             raise InputError(f"{command[0]}: {error.strerror}") from None
         try:
-            _wait(child, name, began, say or (lambda _: None))
+            _wait(child, name, say or (lambda _: None))
         finally:
             child.kill()
             child.wait()
-    text = output.read_text(encoding="utf-8", errors="replace")
+        output.seek(0)
+        text = output.read().decode("utf-8", "replace")
     if child.returncode:
         raise InputError(f"{name}: exit code {child.returncode}: {_reason(text)}")
     return text
 
 
-def _wait(
-    child: subprocess.Popen[bytes], name: str, began: float, say: Callable[[str], None]
-) -> None:
+def _wait(child: subprocess.Popen[bytes], name: str, say: Callable[[str], None]) -> None:
+    began = time.monotonic()
     while True:
         try:
             child.wait(SAID_EVERY)

@@ -151,4 +151,5 @@ def _without_added(made: Mol, given: int) -> Mol:
     for atom in bare.GetAtoms():
         atom.SetNoImplicit(True)
     bare.UpdatePropertyCache(strict=False)
-    return bare.GetMol()
+    made_bare: Mol = bare.GetMol()
+    return made_bare

@@ -27,7 +27,7 @@ LONGEST_DOUBLE = {
     (6, 6): 1.435, (6, 7): 1.385, (6, 8): 1.30, (6, 16): 1.69, (7, 7): 1.37, (7, 8): 1.30,
     (7, 16): 1.58, (8, 15): 1.54, (8, 16): 1.50, (15, 16): 2.0,
 }  # fmt: skip
-#: Added to the score of an atom with one neighbour: carbonyls rather than enols, amines than imines.
+#: Added to the score of an atom with one neighbour: rather carbonyls than enols, amines than imines
 LONE = {7: -0.5, 8: 0.1}
 LONGEST_TRIPLE = {(6, 6): 1.25, (6, 7): 1.20}
 LINEAR = 160.0  #: degrees, at least, at an atom with a triple bond
@@ -161,8 +161,9 @@ def _ends(bond: Bond) -> tuple[int, int]:
     return bond.GetBeginAtomIdx(), bond.GetEndAtomIdx()
 
 
-def _elements(bond: Bond) -> tuple[int, ...]:
-    return tuple(sorted((bond.GetBeginAtom().GetAtomicNum(), bond.GetEndAtom().GetAtomicNum())))
+def _elements(bond: Bond) -> tuple[int, int]:
+    a, b = bond.GetBeginAtom().GetAtomicNum(), bond.GetEndAtom().GetAtomicNum()
+    return min(a, b), max(a, b)
 
 
 def _length(bond: Bond) -> float:
@@ -213,7 +214,7 @@ def _charge_groups(molecule: Mol) -> None:
     for pattern, charge in CHARGED:
         for match in molecule.GetSubstructMatches(Chem.MolFromSmarts(pattern)):
             atom = molecule.GetAtomWithIdx(match[0])
-            is_free = charge < 0 and atom.GetNumExplicitHs() or charge > 0 and _is_far(atom)
+            is_free = (charge < 0 and atom.GetNumExplicitHs()) or (charge > 0 and _is_far(atom))
             if atom.GetFormalCharge() == 0 and is_free:
                 atom.SetFormalCharge(charge)
                 atom.SetNumExplicitHs(atom.GetNumExplicitHs() + charge)

@@ -260,9 +260,7 @@ def _ligand_table(report: ForceFieldReport) -> Table:
     for label in report.ligands:
         for name, those in (("the start", [report.start]), ("frames", report.usable)):
             found = [one.ligands[label] for one in those if label in one.ligands]
-            columns = [
-                np.array([getattr(one, key) for one in found]) for key in LIGAND_COLUMNS[1:]
-            ]
+            columns = [np.array([getattr(one, key) for one in found]) for key in LIGAND_COLUMNS[1:]]
             cells = [_cell(column, "") for column in columns]
             table.rows.append([f"{label}, {name}", str(len(found)), *cells[:-1], f"{cells[-1]} A"])
     return table

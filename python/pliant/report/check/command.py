@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from pliant.base import console
 from pliant.base.extras import late
-from pliant.base.force_field_options import add_options
+from pliant.base.force_field_options import add_options, taken
 from pliant.base.said import notes_shown_by
 from pliant.report.build import Report, print_lines
 
@@ -25,10 +25,10 @@ residue keeps its chirality, and in 95 % of the frames the energy ends at most 3
 0.4 Angstrom in 100 steps. It is best to add hydrogens before sampling: pliant sample
 --all-hydrogens keeps them clear of other atoms.
 
-Ligands get GAFF2 parameters where AmberTools is installed (pip install "pliant[ligands]"; once, they
-are kept in ~/.cache/pliant), ions those of amber14. A ligand must move by at most 1 Angstrom, and
-its strain end at most 50 kJ/mol above that in the start. What has no parameters is left out, the
-report says why, and the verdict is then of the rest alone.
+Ligands and modified residues get GAFF2 parameters where AmberTools is installed (pip install
+"pliant[ligands]"; they are kept in ~/.cache/pliant), ions those of amber14. A ligand must move by
+at most 1 Angstrom, and end at most 50 kJ/mol more strained than in the start. What has no
+parameters is left out, the report says why, and the verdict is then of the rest alone.
 
 The atoms are those of the file. Which are selected, kept, added or protonated is said to pliant
 sample (--select, --keep, --fill-side-chains, --all-hydrogens, --protonate), whose file says it
@@ -103,9 +103,7 @@ def _check(arguments: argparse.Namespace) -> int:
             thorough=arguments.thorough,
             starts=arguments.starts,
             start=arguments.reference,
-            charges=arguments.charges,
-            ligands=dict(arguments.ligand or []),
-            platform=arguments.platform,
+            **taken(arguments),
             picture=_picture_path(arguments),
             quiet=arguments.quiet or arguments.json,
         )

@@ -15,6 +15,7 @@ from typing import Any
 
 from pliant._core import OptionError
 from pliant.base import console
+from pliant.base.force_field_options import add_options, taken
 from pliant.jobs.process import molecule_rows
 from pliant.trajectory.freed_memory import give_back_freed_memory
 
@@ -45,7 +46,7 @@ The folder has:
   and tables (CSV) and figures (PNG)
 
 If OpenMM is installed, it minimises 3 to 5 frames of a protein to test whether they can be used to
-start MD; --no-check leaves this out.
+start MD, with its ligands if AmberTools is installed; --no-check leaves this out.
 
 Exit code: 0 done (whatever the answers are), 1 a file cannot be read or written, 2 bad option.
 
@@ -79,6 +80,7 @@ def make_parser() -> console.Parser:
     add("--frames", metavar="N", type=console.whole_number(4), help=text)
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help="seed (default: 0)")
     add("--no-check", action="store_true", help="do not let OpenMM minimise frames")
+    add_options(parser.add_argument_group("force field of the check").add_argument)
     add("--overwrite", action="store_true", help="replace the results of an earlier study")
     add("--json", action="store_true", help="print the results as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")
@@ -117,6 +119,7 @@ def _study(arguments: argparse.Namespace) -> int:
             frames=arguments.frames,
             seed=arguments.seed,
             check=not arguments.no_check,
+            **taken(arguments),
             overwrite=arguments.overwrite,
             quiet=arguments.quiet or arguments.json,
             on_stage=on_stage,

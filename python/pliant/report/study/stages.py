@@ -49,6 +49,7 @@ class StudyTask:
     asked: dict[str, Any]  #: of the molecule
     fit: FitTask | None  #: to measured data
     check: bool
+    force_field: dict[str, Any]  #: how the check gives parameters to ligands, and where it computes
     quiet: bool
 
     def studied(self, ensemble: Sampled, on_stage: Callable[[str], None]) -> Study:
@@ -121,6 +122,6 @@ class StudyTask:
         on_stage("MD starts")
         try:
             need("the check of MD starts", "openmm")
-            found.check = checks.check(path, quiet=self.quiet)
+            found.check = checks.check(path, quiet=self.quiet, **self.force_field)
         except (MissingPackageError, Error) as error:
             found.why_no_check = str(error)

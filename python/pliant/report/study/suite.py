@@ -16,6 +16,7 @@ from pliant._core import DensityMap, Error, InputError, OptionError, PathOptions
 from pliant.adapters.smiles import embedded
 from pliant.base.checked import SEED, checked, whole
 from pliant.base.extras import need
+from pliant.base.force_field_options import ONE_OF_CHARGES
 from pliant.base.new_file import check_folder
 from pliant.base.progress import Stages
 from pliant.base.said import noted
@@ -27,7 +28,7 @@ from pliant.report.study.studied import Sampled, Study
 STAGES = 20
 
 
-@checked(frames=whole(4), seed=SEED)
+@checked(frames=whole(4), seed=SEED, charges=ONE_OF_CHARGES)
 def study(
     file: str | os.PathLike[str] | None = None,
     end: str | os.PathLike[str] | None = None,
@@ -42,6 +43,9 @@ def study(
     frames: int | None = None,
     seed: int = 0,
     check: bool = True,
+    charges: str = "am1-bcc",
+    ligands: Mapping[str, str] | None = None,
+    platform: str = "auto",
     overwrite: bool = False,
     quiet: bool = True,
     on_stage: Callable[[str], None] | None = None,
@@ -71,6 +75,8 @@ def study(
         Of the ensemble and the path.
     check : bool
         Whether OpenMM, where it is installed, minimises a few frames of a protein.
+    charges, ligands, platform
+        Of that check, as `check` takes them.
     overwrite : bool
         Replace the results of an earlier study.
     quiet : bool
@@ -106,6 +112,7 @@ def study(
     sample = {"input": os.fspath(file), "seed": seed, "frames": frames, **asked}
     task: dict[str, Any] = {"file": file, "end": end, "folder": folder, "seed": seed}
     task |= {"asked": asked, "fit": fit, "check": check, "quiet": quiet}
+    task["force_field"] = {"charges": charges, "ligands": ligands, "platform": platform}
     if on_stage is not None:
         return _studied(sample, guessed, task, on_stage)
     with Stages("studying", STAGES) as stages:
