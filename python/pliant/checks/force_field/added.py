@@ -58,10 +58,19 @@ class Added:
 
     def __post_init__(self) -> None:
         self._elements = [atom.element.atomic_number for atom in self.topology.atoms()]
-        self._backbone = [
-            BACKBONE.get(name) if not self.is_molecule and one else None
-            for name, one in zip(self.names, self.own.tolist(), strict=True)
+        self._backbone = [self._known(k) for k in range(len(self.own))]
+
+    def _known(self, atom: int) -> tuple[str, float | None] | None:
+        """Of an atom of a residue's backbone. Hydrogens that were placed are all called H."""
+        if self.is_molecule or not self.own[atom]:
+            return None
+        near = [
+            b.index if a.index == atom else a.index
+            for a, b in self.topology.bonds()
+            if atom in (a.index, b.index)
         ]
+        name = self.names[atom]
+        return None if name == "H" and self.names[near[0]] != "N" else BACKBONE.get(name)
 
     @property
     def is_molecule(self) -> bool:
@@ -79,13 +88,12 @@ class Added:
             [nonbonded.getParticleParameters(k)[0]._value for k in range(len(self.own))]
         )
         fixed = np.zeros(len(charges), bool)
+        whole = round(float(charges.sum()))
         for k, known in enumerate(self._backbone):
             if known is not None and known[1] is not None:
                 charges[k], fixed[k] = known[1], True
-        if fixed.any():
-            free = self.own & ~fixed
-            whole = round(float(charges.sum()))
-            charges[free] += (whole - charges[self.own].sum()) / free.sum()
+        free = self.own & ~fixed
+        charges[free] += (whole - charges[self.own].sum()) / free.sum()
         found: list[float] = charges.tolist()
         return found
 

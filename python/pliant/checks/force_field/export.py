@@ -56,20 +56,21 @@ def export(
     """
     need(f"--to {to}", "openmm", *PROGRAMS[to])
     check_folder(Path(folder))
+    place = structure.source or "the molecule"
     if reason := why_not(structure):
-        raise InputError(f"{structure.source}: the force field is for proteins: {reason}")
+        raise InputError(f"{place}: the force field is for proteins: {reason}")
     molecule = molecule_of(structure, options, say)
     bench = Bench(molecule, Wanted.time_limit, deadline_in(Wanted.total_limit))
     matched = bench.match()
     if not matched.done:
-        raise InputError(f"{structure.source}: {matched.message}")
+        raise InputError(f"{place}: {matched.message}")
     bench.choose(options.platform, matched.arrays["platforms"].tolist())
     places = _minimised(bench, [molecule.complete(frame) for frame in frames], numbers)
     with tempfile.TemporaryDirectory(prefix="pliant-export-") as made:
         names = [f"frame-{number:04d}" for number in numbers]
         (outcome,) = bench.run([_job(bench, structure, molecule, places, to, names, made)])
         if not outcome.done:
-            raise InputError(f"{structure.source}: {outcome.brief()}")
+            raise InputError(f"{place}: {outcome.brief()}")
         files = [_kept(file, Path(folder), overwrite) for file in sorted(Path(made).iterdir())]
     notes = [*molecule.notes, *(f"left out: {k}: {why}" for k, why in molecule.why.items())]
     return Exported(files, len(molecule.elements), notes)

@@ -21,6 +21,7 @@ import openmm
 from openmm import app
 
 from pliant.checks.force_field.added import Added, added_of, force_of
+from pliant.checks.force_field.platforms import make_context, platforms
 from pliant.checks.force_field.written import write
 from pliant.checks.openmm import worker
 from pliant.checks.openmm.worker import Arrays, Values
@@ -37,8 +38,6 @@ SEED = 1
 #: nm, and how much of a volume counts: mbondi2 radii, and OBC's screening
 RADII = {6: 0.17, 7: 0.155, 8: 0.15, 9: 0.15, 15: 0.185, 16: 0.18, 17: 0.17}
 SCREENING = {1: 0.85, 6: 0.72, 7: 0.79, 8: 0.85, 9: 0.88, 15: 0.86, 16: 0.96}
-#: of platforms that have them
-PROPERTIES = {"DeterministicForces": "true", "Precision": "mixed"}
 APART = 20.0  #: nm between a ligand and the protein that do not touch
 ALONE_STEPS = 500  #: of minimising a ligand by itself
 CYSTEINE_BRIDGE = "CYX"
@@ -162,34 +161,6 @@ def system_of(job: Values, *, moves: bool = False) -> openmm.System:
     if key not in _kept:
         _kept[key] = make_system(job, moves=moves)
     return _kept[key]
-
-
-def make_context(system: openmm.System, integrator: openmm.Integrator, name: str) -> openmm.Context:
-    """A Context of its own for each job: none sees what another left."""
-    platform = openmm.Platform.getPlatform(name)
-    properties = {
-        key: value for key, value in PROPERTIES.items() if key in platform.getPropertyNames()
-    }
-    if name == "CPU":
-        properties["Threads"] = "1"
-    return openmm.Context(system, integrator, platform, properties)
-
-
-def platforms() -> list[str]:
-    """Those that work here, the fastest first: one may be known whose device is not there."""
-    every = [openmm.Platform.getPlatform(k) for k in range(openmm.Platform.getNumPlatforms())]
-    every.sort(key=lambda one: one.getSpeed(), reverse=True)
-    return [one.getName() for one in every if _works(one.getName())]
-
-
-def _works(name: str) -> bool:
-    system = openmm.System()
-    system.addParticle(1.0)
-    try:
-        make_context(system, openmm.VerletIntegrator(0.001), name)
-    except openmm.OpenMMException:
-        return False
-    return True
 
 
 def energy_of(context: openmm.Context) -> float:

@@ -35,6 +35,7 @@ METHODS = {"am1-bcc": "bcc", "gasteiger": "gas"}
 #: of sqm: gradients end at 0.02 kcal/(mol A), 40 times antechamber's: half the time, and charges
 #: that differ by 0.001 e
 SQM = "qm_theory='AM1',grms_tol=0.02,scfconv=1.d-10,maxcyc=500,ndiis_attempts=700,"
+BESIDE = os.path.dirname(sys.executable)  #: where pip installs them
 TIME_LIMIT = 1800.0  #: seconds of a program
 SAID_EVERY = 15.0  #: seconds
 
@@ -48,9 +49,8 @@ quit
 
 
 def programs() -> dict[str, str]:
-    """Paths by name: on the PATH, else beside this Python. Raises InputError for what is missing."""
-    beside = os.path.dirname(sys.executable)
-    found = {one: shutil.which(one) or shutil.which(one, path=beside) for one in PROGRAMS}
+    """Paths by name, on the PATH or beside this Python. Raises InputError for what is missing."""
+    found = {one: shutil.which(one) or shutil.which(one, path=BESIDE) for one in PROGRAMS}
     if missing := [one for one, path in found.items() if path is None]:
         raise InputError(f"AmberTools' {', '.join(missing)} not found: {REMEDY}")
     return {one: str(path) for one, path in found.items()}

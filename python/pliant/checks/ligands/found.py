@@ -18,6 +18,10 @@ from pliant.checks.ligands.parameters import Parameters, parameters_of
 
 #: elements of ions that OpenMM's amber14 files have, by name of their template
 IONS = {11: "NA", 12: "MG", 17: "CL", 19: "K", 20: "CA", 30: "ZN"}
+#: of a residue in a chain: atoms that must be there, one of each
+BACKBONE = ("N", "H", "CA", "C", "O")
+#: atoms of the neighbours of a residue that stand for them, by the residue's atom at the bond
+CAPS = {"N": ("C", "O", "CA"), "C": ("N", "H", "CA")}
 OXYGEN = 8
 Atoms = npt.NDArray[np.int64]
 
@@ -133,12 +137,6 @@ def _ligand(
     return Ligand(label, atoms, caps, chemistry, parameters)
 
 
-#: of a residue in a chain: its atoms of the backbone that must be there, one of each
-BACKBONE = ("N", "CA", "C", "O")
-#: atoms of the neighbours of a residue that stand for them, by the residue's atom at the bond
-CAPS = {"N": ("C", "O", "CA"), "C": ("N", "H", "CA")}
-
-
 def _caps(structure: Structure, atoms: Atoms, known: npt.NDArray[np.bool_]) -> Atoms:
     """Of a residue within a chain; none of a molecule.
 
@@ -153,7 +151,7 @@ def _caps(structure: Structure, atoms: Atoms, known: npt.NDArray[np.bool_]) -> A
     if not ends:
         return np.empty(0, np.int64)
     own = names[atoms].tolist()
-    is_residue = all(own.count(name) == 1 for name in BACKBONE) and "H" in own
+    is_residue = all(own.count(name) == 1 for name in BACKBONE)
     if not is_residue or {*ends} != {*CAPS} or len(across) != len(CAPS):
         end = next(iter(ends.values()))
         raise InputError(f"is bonded to {structure.label(end)}: neither a residue nor a molecule")
