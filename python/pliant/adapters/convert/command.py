@@ -30,6 +30,11 @@ as close as possible to one of those chosen. Nothing is random. How many frames 
 says nothing about how often a shape occurs. pliant analyse --representatives takes other atoms
 to superpose, and trajectories of other programs.
 
+With --to openmm, gromacs or amber OUT is a folder: one topology with parameters (amber14, GAFF2 of
+ligands: see pliant check), and positions of each frame, minimised for 100 steps. OpenMM's system
+has implicit water, the others are in a vacuum, ready for a box of water. ParmEd writes those of
+GROMACS and AMBER (pip install "pliant[export]").
+
 --recover keeps every frame of a damaged H5MD file that can be read, wherever it is, with its step
 and time, and the observables, names, bonds, bars and options that can be read; it says what was
 lost. Coordinates have no checksums: a wrong digit looks like a right one. IN is not changed.
@@ -40,6 +45,7 @@ examples:
   pliant convert out.h5md -o out.xtc
   pliant convert out.h5md -o ca.pdb --select "name CA" --every 10 --superpose
   pliant convert out.h5md -o twenty.pdb --representatives 20
+  pliant convert complex.h5md -o md --to gromacs -k 5
   pliant convert broken.h5md -o good.h5md --recover
   pliant convert many -o many.dcd          the folder of pliant ensemble, walker after walker
   pliant convert many -o many.zarr         for xarray: all of it, in one store

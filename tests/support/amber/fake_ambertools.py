@@ -10,7 +10,6 @@ LEAP = "(UNKNOWN ATOM TYPE) AMBER General Force Field for organic molecules (Ver
 
 def prmtop(symbols, charges, bonds, angles):
     """A topology of a molecule without torsions, whose terms are alike; charges in e."""
-    numbers = {"H": (1, 1.008), "C": (6, 12.01)}
     count, pairs = len(symbols), [{*two} for two in bonds]
     near = [
         sorted(
@@ -24,7 +23,17 @@ def prmtop(symbols, charges, bonds, angles):
     assert all(is_light)
     pointers = [count, 1, len(bonds), 0, len(angles), 0, 0, 0, 0, 0, sum(map(len, after)), 1]
     pointers += [0, 0, 0, 1, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, count, 0, 0]
-    sections = {
+    sections = _of_atoms(symbols, charges, after, pointers) | _of_terms(bonds, angles)
+    text = "%VERSION  VERSION_STAMP = V0001.000\n"
+    for name, (form, values) in sections.items():
+        text += f"%FLAG {name}\n%FORMAT({form})\n" + _lines(form, values)
+    return text
+
+
+def _of_atoms(symbols, charges, after, pointers):
+    count = len(symbols)
+    numbers = {"H": (1, 1.008), "C": (6, 12.01)}
+    return {
         "TITLE": ("20a4", ["LIG"]),
         "POINTERS": ("10I8", pointers),
         "ATOM_NAME": ("20a4", [f"{s}{k}" for k, s in enumerate(symbols)]),
@@ -36,6 +45,17 @@ def prmtop(symbols, charges, bonds, angles):
         "NONBONDED_PARM_INDEX": ("10I8", [1]),
         "RESIDUE_LABEL": ("20a4", ["LIG"]),
         "RESIDUE_POINTER": ("10I8", [1]),
+        "EXCLUDED_ATOMS_LIST": ("10I8", [j for one in after for j in one]),
+        "HBOND_ACOEF": ("5E16.8", []),
+        "HBOND_BCOEF": ("5E16.8", []),
+        "AMBER_ATOM_TYPE": ("20a4", ["c3" if s == "C" else "hc" for s in symbols]),
+        "RADII": ("5E16.8", [1.5] * count),
+        "SCREEN": ("5E16.8", [0.8] * count),
+    }  # fmt: skip
+
+
+def _of_terms(bonds, angles):
+    return {
         "BOND_FORCE_CONSTANT": ("5E16.8", [340.0]),
         "BOND_EQUIL_VALUE": ("5E16.8", [1.09]),
         "ANGLE_FORCE_CONSTANT": ("5E16.8", [39.0]),
@@ -51,17 +71,7 @@ def prmtop(symbols, charges, bonds, angles):
         "ANGLES_WITHOUT_HYDROGEN": ("10I8", []),
         "DIHEDRALS_INC_HYDROGEN": ("10I8", []),
         "DIHEDRALS_WITHOUT_HYDROGEN": ("10I8", []),
-        "EXCLUDED_ATOMS_LIST": ("10I8", [j for one in after for j in one]),
-        "HBOND_ACOEF": ("5E16.8", []),
-        "HBOND_BCOEF": ("5E16.8", []),
-        "AMBER_ATOM_TYPE": ("20a4", ["c3" if s == "C" else "hc" for s in symbols]),
-        "RADII": ("5E16.8", [1.5] * count),
-        "SCREEN": ("5E16.8", [0.8] * count),
     }  # fmt: skip
-    text = "%VERSION  VERSION_STAMP = V0001.000\n"
-    for name, (form, values) in sections.items():
-        text += f"%FLAG {name}\n%FORMAT({form})\n" + _lines(form, values)
-    return text
 
 
 def _lines(form, values):
