@@ -82,7 +82,7 @@ SCHEMA = {
     "verdict_text": str,
     "file": str,
     "passed": bool,
-    "covers": {"frames": int, "md_starts": int, "left_out": dict},
+    "covers": {"frames": int, "md_starts": int, "left_out": dict, "ligands": list},
     "pliant": str,
     "openmm": str,
     "atoms": int,

@@ -210,26 +210,35 @@ def test_frames_damaged_on_purpose_fail_and_are_named(peptide, start):
 def test_what_has_no_template_is_left_out_with_a_warning(peptide, start):
     with_ion = pliant.Structure(
         np.concatenate([start, [[50.0, 0, 0]]]),
-        elements=[*peptide.elements, 30],
-        names=[*peptide.names, "ZN"],
-        residue_names=[*peptide.residue_names, "ZN"],
+        elements=[*peptide.elements, 25],
+        names=[*peptide.names, "MN"],
+        residue_names=[*peptide.residue_names, "MN"],
         residue_ids=[*peptide.residue_ids, 99],
         bonds=peptide.bonds,
     )
     molecule = molecule_of(with_ion)
     assert len(molecule.kept) == len(peptide)
-    assert molecule.left_out == {"ZN": 1}
+    assert molecule.left_out == {"MN": 1}
 
 
-def with_an_ion(peptide, positions):
-    """The peptide and a zinc ion far from it; positions (N, 3) or (F, N, 3)."""
+def test_ions_of_amber14_are_kept(peptide, start):
+    molecule = molecule_of(with_an_ion(peptide, start, "ZN", 30)[0])
+    assert (molecule.left_out, molecule.elements[-1]) == ({}, 30)
+    system = worker.make_system(force_field_jobs.Bench(molecule, 1.0, 0.0).match_job().arrays)
+    nonbonded = next(f for f in system.getForces() if isinstance(f, openmm.NonbondedForce))
+    assert nonbonded.getParticleParameters(157)[0]._value == 2.0
+    assert "only charge and size hold in their place: ZN99" in molecule.notes[-1]
+
+
+def with_an_ion(peptide, positions, name="MN", element=25):
+    """The peptide and a manganese ion far from it; positions (N, 3) or (F, N, 3)."""
     ion = np.broadcast_to([50.0, 0, 0], (*positions.shape[:-2], 1, 3))
     placed = np.concatenate([positions, ion], axis=-2)
     structure = pliant.Structure(
         placed.reshape(-1, len(peptide) + 1, 3)[0],
-        elements=[*peptide.elements, 30],
-        names=[*peptide.names, "ZN"],
-        residue_names=[*peptide.residue_names, "ZN"],
+        elements=[*peptide.elements, element],
+        names=[*peptide.names, name],
+        residue_names=[*peptide.residue_names, name],
         residue_ids=[*peptide.residue_ids, 99],
         bonds=peptide.bonds,
     )
@@ -241,17 +250,18 @@ def test_the_verdict_says_first_what_it_does_not_cover(peptide, start, sampled):
     said = []
     report = minimise_frames(structure, frames[0], frames[1:2], FEW, say=said.append)
     assert said == [
-        "OpenMM minimises the start and 1 frame, 157 atoms each, without 1 ZN: no parameters"
+        "OpenMM minimises the start and 1 frame, 157 atoms each, on its platform CPU, without 1 MN: "
+        "no parameters"
     ]
     said = md_verdict(report, 200)
     assert said.sentence == (
-        "MD of the protein alone (without 1 ZN) can be started from these frames, once minimised. "
+        "MD of the protein alone (without 1 MN) can be started from these frames, once minimised. "
         "1 of 200 frames tested."
     )
-    assert said.details == "What frames do near 1 ZN is not tested."
+    assert said.details == "What frames do near 1 MN is not tested."
     found = Coverage(200, len(report.usable), report.left_out)
     assert found.text == (
-        "bars of all 200 frames; MD starts: 1 frame, the protein alone, without 1 ZN"
+        "bars of all 200 frames; MD starts: 1 frame, the protein alone, without 1 MN"
     )
     assert Coverage(200).text == "bars of all 200 frames"
 
@@ -296,7 +306,7 @@ def test_it_says_whether_md_may_start(sampled, tmp_path):
         "starts_moved",
         "starts_shape",
     ]
-    assert report["covers"] == {"frames": 3, "md_starts": 2, "left_out": {}}
+    assert report["covers"] == {"frames": 3, "md_starts": 2, "left_out": {}, "ligands": []}
     found = report["force_field"]
     assert [frame["frame"] for frame in found["frames"]] == [0, 2]
     assert [frame["name"] for frame in found["dynamics"]][-1] == "MD 0.08 ps"

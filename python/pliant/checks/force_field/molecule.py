@@ -176,7 +176,7 @@ def _wanted(kept: np.ndarray, names: np.ndarray, residue_names: list[str]) -> np
     wanted = np.full(len(names), -1)
     counts = {name: hydrogen_counts(name) for name in set(residue_names) if name in RESIDUES}
     for atom in kept:
-        wanted[atom] = counts[residue_names[atom]].get(names[atom], -1)
+        wanted[atom] = counts.get(residue_names[atom], {}).get(names[atom], -1)
     return wanted
 
 
