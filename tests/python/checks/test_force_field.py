@@ -249,10 +249,8 @@ def test_the_verdict_says_first_what_it_does_not_cover(peptide, start, sampled):
     structure, frames = with_an_ion(peptide, np.concatenate([start[None], sampled.positions]))
     said = []
     report = minimise_frames(structure, frames[0], frames[1:2], FEW, say=said.append)
-    assert said == [
-        "OpenMM minimises the start and 1 frame, 157 atoms each, on its platform CPU, without 1 MN: "
-        "no parameters"
-    ]
+    plan = "OpenMM minimises the start and 1 frame, 157 atoms each, on its platform CPU"
+    assert said == [f"{plan}, without 1 MN: no parameters"]
     said = md_verdict(report, 200)
     assert said.sentence == (
         "MD of the protein alone (without 1 MN) can be started from these frames, once minimised. "
