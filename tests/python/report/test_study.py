@@ -147,7 +147,9 @@ def checked(**failed):
 def test_what_openmm_finds_is_part_of_the_verdict(studied, failed, kind, words, monkeypatch):
     findings = checked(**failed)
     monkeypatch.setattr(verdicts_of_md, "findings_of", lambda report: findings[1:])
-    force_field = SimpleNamespace(left_out={}, usable=[1, 2, 3], why_not="", without="")
+    force_field = SimpleNamespace(
+        left_out={}, ligands=[], usable=[1, 2, 3], why_not="", without="", subject=""
+    )
     recording = range(20)
     check = CheckReport(recording, None, None, findings, [], "", 0.0, force_field=force_field)
     found = replace(studied, check=check)
