@@ -25,7 +25,7 @@ from pliant.jobs.process import job_options, molecule_rows, run_job
 from pliant.report.study.studied import Sampled, Study
 
 #: how many there are: the bar of a call has room for so many
-STAGES = 20
+STAGES = 21
 
 
 @checked(frames=whole(4), seed=SEED, charges=ONE_OF_CHARGES)
