@@ -4,6 +4,7 @@
 import os
 import warnings
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -154,7 +155,7 @@ def test_a_conformer_whose_electrons_do_not_converge_is_left_out_and_told(monkey
 
     monkeypatch.setattr(options, "need", lambda *_: None)
     monkeypatch.setattr(energies.metadata, "version", lambda _: "1")
-    monkeypatch.setattr(energies.tblite, "Calculator", Tblite, raising=False)
+    monkeypatch.setattr(energies, "tblite", SimpleNamespace(Calculator=Tblite))
     asked = {"energy": "GFN2", "frames": 40, "starts": 2}
     Tblite.every = 2
     made = pliant.conformers(pliant.from_smiles("OCC(C)=O"), 4, **asked)

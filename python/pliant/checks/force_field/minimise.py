@@ -33,6 +33,7 @@ from pliant.trajectory.opened import one_file
 from pliant.trajectory.superposition import Superposition
 
 MD_FRAMES = 3
+INCOMPLETE = " (if its side chain lacks atoms, pliant sample --fill-side-chains builds them)"
 MD_STEP = 0.004  #: ps
 
 #: frames of a quick look, of a small protein and of a larger one: 20 to 40 s of one core up to 200
@@ -153,7 +154,7 @@ def minimise_frames(
         say(_plan(report))
         _Minimisation(report, molecule, bench, wanted).minimise(start, frames)
     else:
-        report.why_not = _short(matched)
+        report.why_not = _short(matched) + (INCOMPLETE if "template" in matched.message else "")
     report.seconds = time.monotonic() - began
     return report
 
