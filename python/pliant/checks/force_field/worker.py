@@ -89,19 +89,9 @@ def ions(topology: app.Topology) -> dict[Any, str]:
     return {one: next(one.atoms()).element.symbol.upper() for one in lone}
 
 
-_added: dict[bytes, dict[int, Added]] = {}
-
-
-def molecule_key(job: Values) -> bytes:
-    """The same for all jobs on a molecule."""
-    return b"".join(job[name].tobytes() for name in ("elements", "residue_of", "bonds"))
-
-
 def added_to(job: Values) -> dict[int, Added]:
-    """Molecules with topologies of their own, by number of their residue; read once."""
-    found = _added.setdefault(molecule_key(job), {})
-    if found:
-        return found
+    """Molecules with topologies of their own, by number of their residue."""
+    found = {}
     for k in range(len(job["labels"])):
         if f"prmtop-{k}" in job:
             text, where, own = (job[f"{name}-{k}"] for name in ("prmtop", "where", "own"))
@@ -167,7 +157,7 @@ _kept: dict[tuple[bytes, bool], openmm.System] = {}
 
 def system_of(job: Values, *, moves: bool = False) -> openmm.System:
     """The System of the job's molecule, made once in this process."""
-    key = (molecule_key(job), moves)
+    key = (b"".join(job[name].tobytes() for name in ("elements", "residue_of", "bonds")), moves)
     if key not in _kept:
         _kept[key] = make_system(job, moves=moves)
     return _kept[key]
