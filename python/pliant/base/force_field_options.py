@@ -11,6 +11,12 @@ from typing import Any
 from pliant.base.checked import Wanted
 
 CHARGES = ("am1-bcc", "gasteiger", "none")
+#: that systems with parameters are written for: how they are called, and what writes their files
+PROGRAMS: dict[str, tuple[str, tuple[str, ...]]] = {
+    "openmm": ("OpenMM", ("openmm",)),
+    "gromacs": ("GROMACS", ("openmm", "parmed")),
+    "amber": ("AMBER", ("openmm", "parmed")),
+}
 ONE_OF_CHARGES = Wanted(f"one of {', '.join(CHARGES)}", lambda x: x in CHARGES)
 
 

@@ -183,6 +183,15 @@ def test_other_names_are_refused(recorded, tmp_path, ending, capsys):
     assert capsys.readouterr().err == f"pliant convert: error: {tmp_path}/out{ending}: {wanted}"
 
 
+def test_options_of_systems_go_with_to(recorded, tmp_path):
+    with pytest.raises(
+        pliant.OptionError, match=r"^--charges, --ligand, --platform: go with --to$"
+    ):
+        pliant.convert(recorded, tmp_path / "o.xyz", charges="none")
+    with pytest.raises(pliant.OptionError, match=r"^--superpose: does not go with --to$"):
+        pliant.convert(recorded, tmp_path / "o", to="openmm", superpose=True)
+
+
 def test_nothing_is_replaced_or_left_behind(recorded, tmp_path, capsys):
     path = tmp_path / "out.dcd"
     path.write_text("mine")

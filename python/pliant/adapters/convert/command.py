@@ -8,9 +8,9 @@ import sys
 from collections.abc import Sequence
 
 from pliant._core import OptionError
-from pliant.adapters.convert.write import PROGRAMS, Converted, convert
+from pliant.adapters.convert.write import Converted, convert
 from pliant.base import console
-from pliant.base.force_field_options import add_options, taken
+from pliant.base.force_field_options import PROGRAMS, add_options, taken
 from pliant.base.said import notes_shown_by
 from pliant.trajectory.recover.recover import recover
 

@@ -22,7 +22,7 @@ from pliant.adapters.mdanalysis import to_mdanalysis
 from pliant.adapters.rdkit import to_rdkit
 from pliant.base.checked import Wanted, checked
 from pliant.base.extras import late, need
-from pliant.base.force_field_options import ONE_OF_CHARGES, ForceFieldOptions
+from pliant.base.force_field_options import ONE_OF_CHARGES, PROGRAMS, USUAL, ForceFieldOptions
 from pliant.base.new_file import new_file, new_text
 from pliant.trajectory.files import file_of
 from pliant.trajectory.frames import Moment
@@ -41,8 +41,6 @@ shapes = late("pliant.measure.shapes.representatives")
 stages = late("pliant.measure.stages.opened")
 MDAnalysis = late("MDAnalysis")
 exports = late("pliant.checks.force_field.export")
-#: that systems with parameters are written for
-PROGRAMS = {"openmm": "OpenMM", "gromacs": "GROMACS", "amber": "AMBER"}
 libdcd, libmdaxdr = map(late, ("MDAnalysis.lib.formats.libdcd", "MDAnalysis.lib.formats.libmdaxdr"))
 
 
@@ -106,8 +104,12 @@ def convert(
     InputError, FileError
         The files cannot be read or written. `output` is then as it was before.
     """
+    options = ForceFieldOptions(charges, ligands or {}, platform)
+    if to is None and options != USUAL:
+        raise OptionError("--charges, --ligand, --platform: go with --to")
+    if to is not None and superpose:
+        raise OptionError("--superpose: does not go with --to")
     if to is not None:
-        options = ForceFieldOptions(charges, ligands or {}, platform)
         chosen = _Chosen(source, select, every, representatives)
         return _exported(chosen, output, to, options, overwrite)
     ending = pathlib.Path(output).suffix.lower()
@@ -159,7 +161,7 @@ def _exported(
     made = exports.export(
         chosen.part, positions, chosen.numbers, output, to, options, say, overwrite=overwrite
     )
-    name = f"to start {PROGRAMS[to]} from"
+    name = f"to start {PROGRAMS[to][0]} from"
     return Converted(os.fspath(output), name, len(positions), made.atoms, made.notes)
 
 

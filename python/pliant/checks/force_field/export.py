@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from pliant._core import InputError, Structure
 from pliant.base.extras import need
-from pliant.base.force_field_options import ForceFieldOptions
+from pliant.base.force_field_options import PROGRAMS, ForceFieldOptions
 from pliant.base.new_file import check_folder, write_bytes
 from pliant.checks.force_field.jobs import Bench, deadline_in
 from pliant.checks.force_field.minimise import Wanted
@@ -23,8 +23,6 @@ from pliant.checks.force_field.minimised import SHORT
 from pliant.checks.force_field.molecule import Molecule, molecule_of, why_not
 from pliant.checks.openmm.child import Job
 
-#: programs, and the packages that write their files
-PROGRAMS: dict[str, tuple[str, ...]] = {"openmm": (), "gromacs": ("parmed",), "amber": ("parmed",)}
 LONGEST_NAME = 4  #: of an atom, in a PDB file
 
 
@@ -54,7 +52,7 @@ def export(
     frame-0007.pdb, .gro or .inpcrd of each frame. Raises InputError where a frame or the molecule
     cannot be minimised, MissingPackageError for what is missing.
     """
-    need(f"--to {to}", "openmm", *PROGRAMS[to])
+    need(f"--to {to}", *PROGRAMS[to][1])
     check_folder(Path(folder))
     place = structure.source or "the molecule"
     if reason := why_not(structure):

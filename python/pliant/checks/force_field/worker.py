@@ -89,9 +89,19 @@ def ions(topology: app.Topology) -> dict[Any, str]:
     return {one: next(one.atoms()).element.symbol.upper() for one in lone}
 
 
+_added: dict[bytes, dict[int, Added]] = {}
+
+
+def molecule_key(job: Values) -> bytes:
+    """The same for all jobs on a molecule."""
+    return b"".join(job[name].tobytes() for name in ("elements", "residue_of", "bonds"))
+
+
 def added_to(job: Values) -> dict[int, Added]:
-    """Molecules with topologies of their own, by number of their residue."""
-    found = {}
+    """Molecules with topologies of their own, by number of their residue; read once."""
+    found = _added.setdefault(molecule_key(job), {})
+    if found:
+        return found
     for k in range(len(job["labels"])):
         if f"prmtop-{k}" in job:
             text, where, own = (job[f"{name}-{k}"] for name in ("prmtop", "where", "own"))
@@ -157,7 +167,7 @@ _kept: dict[tuple[bytes, bool], openmm.System] = {}
 
 def system_of(job: Values, *, moves: bool = False) -> openmm.System:
     """The System of the job's molecule, made once in this process."""
-    key = (b"".join(job[name].tobytes() for name in ("elements", "residue_of", "bonds")), moves)
+    key = (molecule_key(job), moves)
     if key not in _kept:
         _kept[key] = make_system(job, moves=moves)
     return _kept[key]

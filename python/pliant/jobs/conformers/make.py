@@ -67,8 +67,8 @@ def make(subject: Subject, options: ConformerOptions, threads: int = 1) -> Made:
                     positions = np.array([energy.minimised(one) for one in positions])
                 energies = np.array([(energy.of_kept or energy.of)(one) for one in positions])
                 kept = _with_energy(energies, energy.name)
-                positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
-                kept = core.choose(subject.structure, positions, energies, options)
+                chosen = core.choose(subject.structure, positions[kept], energies[kept], options)
+                kept = kept[chosen]
                 positions, of_start, energies = positions[kept], of_start[kept], energies[kept]
     has_energy = options.energy != "none"
     name = energy.name if energy is not None else OWN if has_energy else ""
