@@ -11,7 +11,7 @@ import numpy as np
 
 from pliant._core import InputError, pdb_lines
 from pliant.base.new_file import new_text
-from pliant.measure.stages.names import chains_of, numbers_of
+from pliant.measure.stages.names import chains_of, codes_of, numbers_of
 from pliant.trajectory.frame_store import FrameStore
 from pliant.trajectory.superposition import superpose_all
 
@@ -86,13 +86,15 @@ def _fixed_parts(atoms: AtomGroup, b_factors: np.ndarray) -> tuple[list[str], li
     named = hasattr(atoms, "resnames")
     polymer = np.isin(atoms.ix, atoms.select_atoms("protein or nucleic").ix if named else [])
     heads, tails = [], []
-    rows = zip(names, elements, residues, chains, numbers_of(atoms).tolist(), strict=True)
+    numbers = [
+        f"{number % 10000:4d}{code or ' ':.1}"
+        for number, code in zip(numbers_of(atoms).tolist(), codes_of(atoms), strict=True)
+    ]
+    rows = zip(names, elements, residues, chains, numbers, strict=True)
     for k, (name, element, residue, chain, number) in enumerate(rows):
         kind = "ATOM  " if polymer[k] else "HETATM"
         padded = f"{name:<4s}"[:4] if len(element) == 2 or len(name) > 3 else f" {name:<3s}"
-        heads.append(
-            f"{kind}{k + 1:5d} {padded} {residue:<4s}{chain or ' '}{number % 10000:4d}    "
-        )
+        heads.append(f"{kind}{k + 1:5d} {padded} {residue:<4s}{chain or ' '}{number}   ")
         factor = min(float(b_factors[k]), 999.99)
         tails.append(f"  1.00{factor:6.2f}          {element.upper():>2s}\n")
     return heads, tails

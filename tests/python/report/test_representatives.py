@@ -8,6 +8,7 @@ import pytest
 from MDAnalysis.analysis import rms
 from pliant.adapters.convert import command as convert
 from pliant.measure.shapes.medoids import k_medoids
+from pliant.measure.stages.names import residue_labels
 from pliant.report.representatives import representatives
 from pliant.trajectory.superposition import pairwise_rmsd
 
@@ -74,6 +75,22 @@ def test_the_models_are_the_frames_and_always_the_same(run, tmp_path):
         source.trajectory[number]
         assert rms.rmsd(written.atoms.positions, source.atoms.positions, superposition=True) < 2e-3
     assert b"populations are not claimed" in before
+
+
+def test_residues_keep_their_insertion_codes(tmp_path):
+    """As those of proteases and antibodies: 1CEQ lost its own, and no program could dock to it."""
+    row = "ATOM      1  CA  GLY A  73{}   {:8.3f}   0.000   0.000  1.00  0.00           C\n"
+    model = "".join(row.format(code, 3.8 * k) for k, code in enumerate(" AB "))
+    model = model[: model.rfind(" A  73 ")] + model[model.rfind(" A  73 ") :].replace(" 73", " 74")
+    models = "".join(f"MODEL {k:8d}\n{model}ENDMDL\n" for k in (1, 2))
+    (tmp_path / "in.pdb").write_text(models + "END\n")
+    representatives(tmp_path / "in.pdb", 1, tmp_path / "out.pdb", superpose="all")
+    written = [
+        one[22:27] for one in (tmp_path / "out.pdb").read_text().splitlines() if " CA " in one
+    ]
+    assert written == ["  73 ", "  73A", "  73B", "  74 "]
+    labels = residue_labels(MDAnalysis.Universe(tmp_path / "out.pdb").residues)
+    assert labels == ["GLY73", "GLY73A", "GLY73B", "GLY74"]
 
 
 def test_convert_writes_them_in_any_format(run, tmp_path, capsys):

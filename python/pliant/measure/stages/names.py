@@ -32,8 +32,10 @@ def residue_labels(residues: ResidueGroup) -> list[str]:
     several = len(set(chains)) > 1
     names = getattr(residues, "resnames", [""] * len(residues))
     return [
-        f"{chain}:{name}{number}" if several and chain else f"{name}{number}"
-        for chain, name, number in zip(chains, names, numbers_of(residues), strict=True)
+        (f"{chain}:" if several and chain else "") + f"{name}{number}{code}"
+        for chain, name, number, code in zip(
+            chains, names, numbers_of(residues), codes_of(residues), strict=True
+        )
     ]
 
 
@@ -45,6 +47,11 @@ def chains_of(residues: AtomGroup | ResidueGroup) -> np.ndarray:
 def numbers_of(group: AtomGroup | ResidueGroup) -> np.ndarray:
     """Residue numbers of residues or atoms; counted from 1 where there are none."""
     return np.asarray(getattr(group, "resids", group.resindices + 1), dtype=np.int64)
+
+
+def codes_of(group: AtomGroup | ResidueGroup) -> list[str]:
+    """Insertion codes of residues or atoms; "" where there are none."""
+    return [str(code).strip() for code in getattr(group, "icodes", [""] * len(group))]
 
 
 def bar_labels(atoms: AtomGroup, bars: Iterable[np.ndarray]) -> list[str]:
