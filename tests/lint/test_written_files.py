@@ -34,7 +34,7 @@ EXCEPTIONS = {
     ("shards/scratch.py", "open("): "a lock, which holds nothing",
     ("adapters/convert/zarr_store.py", ".rename("): "a folder of files, complete first",
     ("adapters/convert/zarr_store.py", "to_zarr("): "the same",
-    ("adapters/convert/write.py", "MDAnalysis.Writer("): "to the path of a NewFile",
+    ("adapters/convert/formats.py", "MDAnalysis.Writer("): "to the path of a NewFile",
     ("lab/bench/reading.py", "MDAnalysis.Writer("): "in a folder that goes again",
     ("trajectory/recover/recover.py", "copyfile("): "a copy that goes again",
     ("trajectory/recover/superblock.py", "open("): "that copy",
