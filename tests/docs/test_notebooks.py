@@ -14,8 +14,20 @@ def test_there_are_notebooks():
     assert len(ALL) >= 4
 
 
-@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
+#: what takes minutes, and the packages that it needs
+LONG = {"docking": ("meeko", "vina")}
+
+
+@pytest.mark.parametrize("path", [one for one in ALL if one.stem not in LONG], ids=lambda p: p.stem)
 def test_notebook_runs(path):
+    notebooks.run(path)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("path", [one for one in ALL if one.stem in LONG], ids=lambda p: p.stem)
+def test_long_notebook_runs(path):
+    for package in LONG[path.stem]:
+        pytest.importorskip(package)
     notebooks.run(path)
 
 

@@ -20,6 +20,7 @@ _EXTRAS = {
     "dask_jobqueue": ("dask-jobqueue", "ensemble"),
     "distributed": ("dask.distributed", "ensemble"),
     "matplotlib": ("matplotlib", "plot"),
+    "meeko": ("Meeko", "docking"),
     "mdtraj": ("MDTraj", "mdtraj"),
     "openmm": ("OpenMM", "openmm"),
     "parmed": ("ParmEd", "export"),

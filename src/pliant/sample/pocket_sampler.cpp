@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sampler `pocket`: frames that open or close one place.
+#include <algorithm>
 #include <utility>
 
 #include "pliant/base/random.hpp"
@@ -94,6 +95,7 @@ class PocketSampler final : public Sampler {
   SideChainMoves side_chains_;
   LigandMoves ligand_;
   ModesSampler modes_;
+  double nearness_;  ///< 1 with the usual amplitude and beyond; turns and loops go less far below
   std::uint64_t seed_;
 };
 
@@ -114,6 +116,7 @@ PocketSampler::PocketSampler(const SamplerSetting& setting, const NetworkModes& 
       ligand_(framework_, setting.plan, start_, place_.ligand, chemistry_, held_,
               turned_by(side_chains_, start_.size())),
       modes_(setting, modes),
+      nearness_(std::min(1.0, setting.options.amplitude / usual_amplitude)),
       seed_(setting.options.seed) {}
 
 void PocketSampler::ask(std::int64_t frame, int, int attempt, std::span<const Vec3>,
@@ -129,8 +132,9 @@ void PocketSampler::ask(std::int64_t frame, int, int attempt, std::span<const Ve
   if (attempt < attempts_at_pocket) {
     const double scale = double(attempts_at_half) / double(attempts_at_half + attempt);
     draw_side_chains(draws, scale * draws.uniform(), request);
-    turned = turns_.draw(draws, scale);
-    if (turned.tree == nullptr) redraw_loops(frame, attempt, request.from);
+    turned = turns_.draw(draws, scale * nearness_);
+    if (turned.tree == nullptr && (nearness_ == 1.0 || draws.uniform() < nearness_))
+      redraw_loops(frame, attempt, request.from);
   }
   turn(turned, moves, request);
 }

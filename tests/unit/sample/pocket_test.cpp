@@ -77,6 +77,25 @@ TEST(Pocket, IsChosenByASelection) {
   });
 }
 
+/// r.m.s. of all frames' atoms from the start (Angstrom).
+double distance_from_start(double amplitude) {
+  SampleAsked asked = asked_around("resid 5");
+  asked.options.amplitude = amplitude;
+  asked.options.frames = 40;
+  const SampleTask task(subject_of(peptide()), asked);
+  double sum = 0, count = 0;
+  task.run([&](const Frame& frame) {
+    for (std::size_t k = 0; k < frame.positions.size(); ++k, ++count)
+      sum += norm_squared(frame.positions[k] - peptide().positions[k]);
+    return false;
+  });
+  return std::sqrt(sum / count);
+}
+
+TEST(Pocket, OpensLessWithASmallAmplitude) {
+  EXPECT_LT(2 * distance_from_start(0.1), distance_from_start(1.4));
+}
+
 TEST(Pocket, RefusesWhatIsNoPlace) {
   EXPECT_ERROR(OptionError, "around: selection \"resname NAG\" names no atom",
                SampleTask(subject_of(peptide()), asked_around("resname NAG")));

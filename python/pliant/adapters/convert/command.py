@@ -8,9 +8,9 @@ import sys
 from collections.abc import Sequence
 
 from pliant._core import OptionError
-from pliant.adapters.convert.write import Converted, convert
+from pliant.adapters.convert.write import TARGETS, Converted, convert
 from pliant.base import console
-from pliant.base.force_field_options import PROGRAMS, add_options, taken
+from pliant.base.force_field_options import add_options, taken
 from pliant.base.said import notes_shown_by
 from pliant.trajectory.recover.recover import recover
 
@@ -35,6 +35,10 @@ ligands: see pliant check), and positions of each frame, minimised for 100 steps
 has implicit water, the others are in a vacuum, ready for a box of water. ParmEd writes those of
 GROMACS and AMBER (pip install "pliant[export]").
 
+With --to vina OUT is a folder for AutoDock Vina: a rigid receptor in PDBQT of each frame, by Meeko
+(pip install "pliant[docking]"), all superposed by --site, and box.txt, the box around it, for Vina's
+--config. What Meeko does not know (ligands, most cofactors) is left out, and named.
+
 --recover keeps every frame of a damaged H5MD file that can be read, wherever it is, with its step
 and time, and the observables, names, bonds, bars and options that can be read; it says what was
 lost. Coordinates have no checksums: a wrong digit looks like a right one. IN is not changed.
@@ -46,6 +50,7 @@ examples:
   pliant convert out.h5md -o ca.pdb --select "name CA" --every 10 --superpose
   pliant convert out.h5md -o twenty.pdb --representatives 20
   pliant convert complex.h5md -o md --to gromacs -k 5
+  pliant convert apo.h5md -o dock --to vina -k 8 --site "resid 30:36 96:101"
   pliant convert broken.h5md -o good.h5md --recover
   pliant convert many -o many.dcd          the folder of pliant ensemble, walker after walker
   pliant convert many -o many.zarr         for xarray: all of it, in one store
@@ -75,6 +80,8 @@ def make_parser() -> console.Parser:
     add("--every", metavar="N", type=console.whole_number(1), default=1, help=text)
     text = "only N frames that represent all others: for docking, or to start simulations from"
     add("-k", "--representatives", metavar="N", type=console.whole_number(1), help=text)
+    text = "the site that representatives differ in, and that is docked into: residues, or a ligand"
+    add("--site", metavar="WORDS", default="", help=text)
     text = "superpose each frame on the first, by least squares over these atoms"
     add("--superpose", action="store_true", help=text)
     text = "copy what can be read of IN, an H5MD file that other commands call damaged"
@@ -87,9 +94,12 @@ def make_parser() -> console.Parser:
 
 
 def _add_force_field(parser: console.Parser) -> None:
-    add = parser.add_argument_group("systems for molecular dynamics").add_argument
-    text = "systems that run, of a protein and its ligands, with parameters; OUT is a folder"
-    add("--to", choices=PROGRAMS, help=text)
+    add = parser.add_argument_group("input of other programs").add_argument
+    text = (
+        "systems that run, of a protein and its ligands, with parameters; vina: receptors to dock "
+        "into; OUT is a folder"
+    )
+    add("--to", choices=TARGETS, help=text)
     add_options(add)
 
 
@@ -131,6 +141,7 @@ def _converted(arguments: argparse.Namespace) -> Converted:
         superpose=arguments.superpose,
         overwrite=arguments.overwrite,
         to=arguments.to,
+        site=arguments.site,
         **taken(arguments),
     )
 

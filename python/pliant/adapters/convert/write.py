@@ -14,6 +14,7 @@ import numpy as np
 
 from pliant import _core
 from pliant._core import InputError, OptionError
+from pliant.adapters.convert.docking import site_of, write_receptors
 from pliant.adapters.convert.formats import FORMATS
 from pliant.base.checked import Wanted, checked
 from pliant.base.extras import late, need
@@ -42,7 +43,12 @@ class Converted:
     notes: list[str] = field(default_factory=list)  #: on parameters, of what is written for MD
 
 
-@checked(charges=ONE_OF_CHARGES, to=Wanted("openmm, gromacs or amber", lambda x: x in PROGRAMS))
+DOCKING = "vina"
+#: what is a folder of files, beside FORMATS
+TARGETS = (*PROGRAMS, DOCKING)
+
+
+@checked(charges=ONE_OF_CHARGES, to=Wanted(f"one of {', '.join(TARGETS)}", lambda x: x in TARGETS))
 def convert(
     source: HasFrames | Molecule,
     output: str | os.PathLike[str],
@@ -56,6 +62,7 @@ def convert(
     charges: str = "am1-bcc",
     ligands: Mapping[str, str] | None = None,
     platform: str = "auto",
+    site: str = "",
 ) -> Converted:
     """Writes frames in the format that `output` asks for.
 
@@ -76,11 +83,16 @@ def convert(
         Each frame is laid on the first, by least squares over the atoms that are written.
     overwrite : bool
         Replace an existing file.
-    to : "openmm", "gromacs" or "amber", optional
+    to : "openmm", "gromacs", "amber" or "vina", optional
         Write systems with parameters, of a protein and its ligands, that these programs run;
-        `output` is then a folder. Frames are minimised for 100 steps first.
+        `output` is then a folder. Frames are minimised for 100 steps first. "vina": receptors in
+        PDBQT, superposed by the site on the structure, and box.txt, the site's box.
     charges, ligands, platform
-        With `to`: as `check` takes them.
+        With `to` of MD: as `check` takes them.
+    site : str
+        Residues that representatives are superposed by, and differ in; to "vina", where ligands are
+        docked. Residues of proteins in this selection, or, if none is in it (a ligand), those
+        within 6 Angstrom.
 
     Raises
     ------
@@ -92,12 +104,18 @@ def convert(
         The files cannot be read or written. `output` is then as it was before.
     """
     options = ForceFieldOptions(charges, ligands or {}, platform)
-    if to is None and options != USUAL:
-        raise OptionError("--charges, --ligand, --platform: go with --to")
+    if to not in PROGRAMS and options != USUAL:
+        raise OptionError(f"--charges, --ligand, --platform: go with --to {', '.join(PROGRAMS)}")
     if to is not None and superpose:
         raise OptionError("--superpose: does not go with --to")
+    if site and to != DOCKING and representatives is None:
+        raise OptionError("--site: goes with --representatives or --to vina")
+    if to == DOCKING and not site:
+        raise OptionError("--to vina: expected --site, the residues that ligands are docked at")
     if to is not None:
-        chosen = _Chosen(source, select, every, representatives)
+        chosen = _Chosen(source, select, every, representatives, site)
+        if to == DOCKING:
+            return _receptors(chosen, output, site, overwrite)
         return _exported(chosen, output, to, options, overwrite)
     ending = pathlib.Path(output).suffix.lower()
     if ending not in FORMATS:
@@ -107,7 +125,7 @@ def convert(
     if package:
         need(f"writing {name}", package)
     _refuse(source, output, overwrite)
-    chosen = _Chosen(source, select, every, representatives)
+    chosen = _Chosen(source, select, every, representatives, site)
     trajectory, atoms = chosen.trajectory, chosen.atoms
     is_whole = every == 1 and representatives is None
     if ending in (".h5md", ".h5") and isinstance(source, SampledEnsemble) and is_whole:
@@ -122,7 +140,12 @@ class _Chosen:
     """The frames and atoms that are written."""
 
     def __init__(
-        self, source: HasFrames | Molecule, select: str, every: int, representatives: int | None
+        self,
+        source: HasFrames | Molecule,
+        select: str,
+        every: int,
+        representatives: int | None,
+        site: str,
     ) -> None:
         self.trajectory = Trajectory(source)
         structure = self.trajectory.structure
@@ -133,7 +156,7 @@ class _Chosen:
         self.part = structure if is_all else _part_of(structure, select)
         self.numbers: Sequence[int] = range(0, len(self.trajectory), every)
         if representatives is not None:
-            self.numbers = _representatives(source, representatives)
+            self.numbers = _representatives(source, representatives, structure, site)
 
 
 def _exported(
@@ -150,6 +173,17 @@ def _exported(
     )
     name = f"to start {PROGRAMS[to][0]} from"
     return Converted(os.fspath(output), name, len(positions), made.atoms, made.notes)
+
+
+def _receptors(
+    chosen: _Chosen, output: str | os.PathLike[str], site: str, overwrite: bool
+) -> Converted:
+    positions = (chosen.trajectory[k][chosen.atoms] for k in chosen.numbers)
+    made = write_receptors(
+        chosen.part, positions, chosen.numbers, output, site, overwrite=overwrite
+    )
+    name = "to dock into with AutoDock Vina"
+    return Converted(os.fspath(output), name, len(chosen.numbers), made.atoms, made.notes)
 
 
 def _refuse(source: HasFrames | Molecule, output: str | os.PathLike[str], overwrite: bool) -> None:
@@ -177,12 +211,17 @@ def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
         return structure.select(select)
 
 
-def _representatives(source: HasFrames | Molecule, count: int) -> list[int]:
+def _representatives(
+    source: HasFrames | Molecule, count: int, structure: _core.Structure, site: str
+) -> list[int]:
     """Numbers of the frames."""
     path, _folder = file_of(source, "representatives")
+    by = " ".join(["index", *map(str, site_of(structure, site))]) if site else None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        found, _ = shapes.medoids(stages.opened(analysis.AnalysisOptions(path)), count)
+        found, _ = shapes.medoids(
+            stages.opened(analysis.AnalysisOptions(path, superpose=by)), count
+        )
     return sorted(int(number) for number in found.frames)
 
 
