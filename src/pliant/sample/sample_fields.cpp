@@ -43,7 +43,8 @@ const std::string near_text =
 const std::string around_text =
     "open or close the site around these atoms (--sampler pocket): the protein\n"
     "residues selected, or, if none is " +
-    near_text + ";\nthe ligand itself gets other torsions; with a small --amplitude mostly side chains move";
+    near_text +
+    ";\nthe ligand itself gets other torsions; with a small --amplitude mostly side chains move";
 const std::string around_in_python =
     "Selection of atoms: frames open or close the site around them (sampler ``pocket``): the\n"
     "protein residues selected, or, if none is " +

@@ -23,7 +23,7 @@ def atom(structure, residue, name):
 def frames_of(path, **options):
     model = pliant.build_model(path)
     around = f"resid {FIRST}-{LAST}"
-    options = {"sampler": "pocket", "around": around, "amplitude": 0.1, "seed": 3, **options}
+    options = {"sampler": "pocket", "around": around, "amplitude": 0.5, "seed": 3, **options}
     return model, pliant.sample(model, 60, **options)
 
 

@@ -36,7 +36,7 @@ has implicit water, the others are in a vacuum, ready for a box of water. ParmEd
 GROMACS and AMBER (pip install "pliant[export]").
 
 With --to vina OUT is a folder for AutoDock Vina: a rigid receptor in PDBQT of each frame, by Meeko
-(pip install "pliant[docking]"), all superposed by --site, and box.txt, the box around it, for Vina's
+(pip install "pliant[docking]"), all superposed by --site, and box.txt, the box around it, for its
 --config. What Meeko does not know (ligands, most cofactors) is left out, and named.
 
 --recover keeps every frame of a damaged H5MD file that can be read, wherever it is, with its step
