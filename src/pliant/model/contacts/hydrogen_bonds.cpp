@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "pliant/base/math/elementary.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
@@ -50,6 +52,7 @@ class Finder {
     const auto near = near_atoms(structure_, donors, polar_.acceptors(), salt_reach.donor_acceptor);
     for (std::size_t k = 0; k < donors.size(); ++k) add_bonds_of(donors[k], near.at(k));
     keep_best_of_pairs();
+    add_bare_donors();
     sort(found_);
     return std::move(found_);
   }
@@ -62,7 +65,8 @@ class Finder {
       if (!graph_.is_hydrogen(link.node)) continue;
       std::optional<MolecularContact> best;
       for (std::uint32_t acceptor : acceptors) {
-        const std::optional<MolecularContact> bond = bond_of(donor, link.node, acceptor);
+        const std::optional<MolecularContact> bond =
+            bond_of(donor, link.node, at(link.node), acceptor);
         if (!bond) continue;
         if (bond->kind == MolecularContactKind::salt_bridge) {
           found_.push_back(*bond);
@@ -74,7 +78,35 @@ class Finder {
     }
   }
 
-  std::optional<MolecularContact> bond_of(std::uint32_t donor, std::uint32_t hydrogen,
+  /// Those that molecules without hydrogens give to others: to atoms with which they have none yet.
+  /// N of two neighbours that accepts a bond is taken to have no hydrogen.
+  void add_bare_donors() {
+    const BareDonors& bare = polar_.bare_donors();
+    std::vector<bool> accepts(structure_.size(), false);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const MolecularContact& one : found_) {
+      accepts[one.b] = true;
+      if (bare.contains(one.b)) pairs.emplace(one.b, one.a);
+    }
+    const auto near =
+        near_atoms(structure_, bare.atoms(), polar_.acceptors(), usual_reach.donor_acceptor);
+    for (std::size_t k = 0; k < bare.atoms().size(); ++k) {
+      const std::uint32_t donor = bare.atoms()[k];
+      if (accepts[donor] && graph_.at(donor).size() == 2) continue;
+      std::vector<MolecularContact> bonds;
+      for (const std::uint32_t acceptor : near.at(k)) {
+        if (bare.contains(acceptor) || pairs.contains({donor, acceptor})) continue;
+        const Vec3 hydrogen = bare.hydrogen_towards(donor, at(acceptor));
+        const auto bond = bond_of(donor, MolecularContact::none, hydrogen, acceptor);
+        if (bond) bonds.push_back(*bond);
+      }
+      std::ranges::stable_sort(bonds, {}, &MolecularContact::energy);
+      bonds.resize(std::min(bonds.size(), bare.hydrogens_of(donor)));
+      found_.insert(found_.end(), bonds.begin(), bonds.end());
+    }
+  }
+
+  std::optional<MolecularContact> bond_of(std::uint32_t donor, std::uint32_t hydrogen, Vec3 place,
                                           std::uint32_t acceptor) const {
     if (graph_.are_within_two_bonds(donor, acceptor)) return std::nullopt;
     const std::uint32_t base = base_of(acceptor);
@@ -82,17 +114,17 @@ class Finder {
     const bool is_salt = polar_.is_positive(donor) && polar_.is_negative(acceptor);
     const Reach& reach = is_salt ? salt_reach : usual_reach;
     const double apart = distance(at(donor), at(acceptor));
-    const double theta = angle(at(donor), at(hydrogen), at(acceptor));
-    const double phi = angle(at(hydrogen), at(acceptor), at(base));
+    const double theta = angle(at(donor), place, at(acceptor));
+    const double phi = angle(place, at(acceptor), at(base));
     if (apart > reach.donor_acceptor || theta < reach.least_theta || phi < reach.least_phi ||
-        distance(at(hydrogen), at(acceptor)) > reach.hydrogen_acceptor)
+        distance(place, at(acceptor)) > reach.hydrogen_acceptor)
       return std::nullopt;
     MolecularContact bond;
     bond.kind = is_salt ? MolecularContactKind::salt_bridge : MolecularContactKind::hydrogen_bond;
     bond.a = donor;
     bond.b = acceptor;
     bond.hydrogen = hydrogen;
-    bond.base = base;
+    if (hydrogen != MolecularContact::none) bond.base = base;
     bond.energy = is_salt ? salt_bridge_energy(apart) : energy(donor, acceptor, apart, theta, phi);
     if (!(bond.energy < options_.cutoff)) return std::nullopt;
     set_limits(bond, structure_);

@@ -12,13 +12,23 @@ namespace {
 
 constexpr std::uint8_t carbon = 6, nitrogen = 7, oxygen = 8, phosphorus = 15, sulphur = 16;
 
+/// (R)
+std::vector<bool> residues_with_hydrogens(const Structure& structure, const AtomGraph& graph) {
+  std::vector<bool> found(structure.atoms.residues.size(), false);
+  for (std::uint32_t i = 0; i < structure.size(); ++i)
+    if (graph.is_hydrogen(i)) found[structure.atoms.residue_of[i]] = true;
+  return found;
+}
+
 }  // namespace
 
 PolarAtoms::PolarAtoms(const Structure& structure, const AtomGraph& graph)
-    : structure_(structure), graph_(graph), has_hydrogens_(structure.atoms.residues.size(), false) {
+    : structure_(structure),
+      graph_(graph),
+      has_hydrogens_(residues_with_hydrogens(structure, graph)),
+      bare_(structure, graph, has_hydrogens_) {
   for (std::uint32_t i = 0; i < structure.size(); ++i) {
     if (!graph.is_hydrogen(i)) continue;
-    has_hydrogens_[structure.atoms.residue_of[i]] = true;
     const std::uint32_t parent = graph.first_heavy(i);
     if (parent == no_atom) continue;
     const std::uint8_t element = structure.atoms.elements[parent];
@@ -28,8 +38,8 @@ PolarAtoms::PolarAtoms(const Structure& structure, const AtomGraph& graph)
     if (is_acceptor(i)) acceptors_.push_back(i);
 }
 
-/// N of a residue without any hydrogen could be a donor as well: only ring N of two neighbours in
-/// known residues is sure.
+/// Of N in proteins only ring N of two neighbours is one. In residues without any hydrogen it could
+/// be a donor as well, which is settled by what it is near to.
 bool PolarAtoms::is_acceptor(std::uint32_t atom) const {
   const std::uint8_t element = structure_.atoms.elements[atom];
   if (element == oxygen) return true;
@@ -38,7 +48,8 @@ bool PolarAtoms::is_acceptor(std::uint32_t atom) const {
   const std::uint32_t r = structure_.atoms.residue_of[atom];
   const Residue& residue = structure_.atoms.residues[r];
   if (is_amino_acid(residue)) return is_in(atom, "HIS") && structure_.atoms.names[atom] != "N";
-  return is_nucleotide(residue) || has_hydrogens_[r];
+  return is_nucleotide(residue) || has_hydrogens_[r] ||
+         (bare_.contains(atom) && !is_amide_nitrogen(structure_, graph_, atom));
 }
 
 bool PolarAtoms::is_in(std::uint32_t atom, std::string_view residue) const {
@@ -59,7 +70,7 @@ Hybridisation PolarAtoms::hybridisation(std::uint32_t atom) const {
   if (structure_.atoms.elements[atom] == nitrogen)
     return count >= 4 || (count == 3 && !is_planar(structure_, graph_, atom)) ? sp3 : sp2;
   if (is_bonded_to(atom, phosphorus) || is_bonded_to(atom, sulphur)) return sp3;
-  if (count <= 1) return sp2;
+  if (count <= 1) return bare_.contains(atom) ? sp3 : sp2;
   const std::uint32_t neighbour = graph_.first_heavy(atom);
   const bool is_conjugated = graph_.hydrogens_at(atom) == 1 && neighbour != no_atom &&
                              structure_.atoms.elements[neighbour] == carbon &&

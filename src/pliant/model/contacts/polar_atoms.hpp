@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pliant/model/atoms/atom_graph.hpp"
+#include "pliant/model/contacts/bare_donors.hpp"
 #include "pliant/model/contacts/hydrogen_bond_energy.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
@@ -20,9 +21,10 @@ class PolarAtoms {
   const std::vector<std::uint32_t>& hydrogens() const { return hydrogens_; }
   /// O, and N with two neighbours or fewer that is not an amide's or amine's without hydrogens.
   const std::vector<std::uint32_t>& acceptors() const { return acceptors_; }
+  const BareDonors& bare_donors() const { return bare_; }
 
-  /// O: sp3 with two neighbours (but phenols and acids) and at P or S; N: sp3 with four neighbours,
-  /// or three that are not in a plane with it.
+  /// O: sp3 with two neighbours (but phenols and acids), at P or S, and as a bare donor; N: sp3
+  /// with four neighbours, or three that are not in a plane with it.
   Hybridisation hybridisation(std::uint32_t atom) const;
   bool is_positive(std::uint32_t donor) const;
   bool is_negative(std::uint32_t acceptor) const;
@@ -40,6 +42,7 @@ class PolarAtoms {
   const Structure& structure_;
   const AtomGraph& graph_;
   std::vector<bool> has_hydrogens_;  ///< (R)
+  BareDonors bare_;
   std::vector<std::uint32_t> hydrogens_, acceptors_;
 };
 

@@ -263,8 +263,10 @@ class Preparer {
   void tell_of_ligands_without_hydrogens(const Survey& found) {
     const std::vector<std::uint32_t> bare = ligands_without_hydrogens(atoms(), found);
     if (!bare.empty())
-      now_.missing.push_back("hydrogens of " + listed_residues(atoms(), bare) +
-                             ": none were added, so these ligands cannot donate hydrogen bonds");
+      now_.missing.push_back(
+          "hydrogens of " + listed_residues(atoms(), bare) +
+          ": none were added; the hydrogen bonds that these ligands give are guessed "
+          "from their other atoms");
   }
 
   void find_floppy() {
