@@ -6,6 +6,7 @@ import subprocess
 import sys
 import warnings
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -28,6 +29,7 @@ app = pytest.importorskip("openmm.app")
 pytest.importorskip("rdkit")
 pytest.importorskip("scipy")
 worker = pytest.importorskip("pliant.checks.force_field.worker")
+platforms = pytest.importorskip("pliant.checks.force_field.platforms")
 
 DATA = Path(MDA.PDB_small).parent
 PEPTIDE = DATA / "adk_open_10res.pdb"
@@ -114,6 +116,24 @@ def test_a_platform_that_is_not_there_names_those_that_are():
     wanted = r"--platform: expected one of auto, CUDA, CPU, found 'HIP'"
     with pytest.raises(pliant.OptionError, match=wanted):
         bench.choose("HIP", ["CUDA", "CPU"])
+
+
+def test_opencl_on_a_processor_comes_last(monkeypatch):
+    """OpenMM calls it five times as fast as CPU; minimisations die there."""
+
+    class Known:
+        def __init__(self, name, speed, device):
+            self.getName, self.getSpeed, self.device = (lambda: name), (lambda: speed), device
+
+    pocl = "Portable Computing Language"
+    every = [Known("Reference", 1, ""), Known("CPU", 10, ""), Known("OpenCL", 50, pocl),
+             Known("CUDA", 100, None)]  # fmt: skip
+    known = SimpleNamespace(getNumPlatforms=lambda: 4, getPlatform=lambda k: every[k])
+    monkeypatch.setattr(platforms, "openmm", SimpleNamespace(Platform=known))
+    monkeypatch.setattr(platforms, "_device_of", lambda one: one.device)
+    assert platforms.platforms() == ["CPU", "Reference", "OpenCL"]
+    every[2].device = "NVIDIA CUDA"
+    assert platforms.platforms() == ["OpenCL", "CPU", "Reference"]
 
 
 def test_terms_of_a_ligand_are_those_of_its_topology(tools, complex_):
