@@ -58,7 +58,7 @@ _SETTINGS: dict[Any, Any] = {
     "axes.titleweight": "bold",
     "axes.titlelocation": "left",
     "axes.titlecolor": INK,
-    "axes.titlepad": 9,
+    "axes.titlepad": 12,  # above the names of chains
     "axes.titley": 1.0,  # else it is looked for at each drawing, below what stands above the axes
     "axes.labelcolor": INK,
     "axes.edgecolor": GREY,
@@ -176,8 +176,8 @@ def chain_axis(axes: Axes, numbers: np.ndarray, chains: np.ndarray, what: str = 
     for first, last in itertools.pairwise(starts):
         if len(starts) > 2 and chains[first]:
             place, across = (first + last - 1) / 2, axes.get_xaxis_transform()
-            name = chains[first]
-            axes.text(place, 1.0, name, ha="center", va="bottom", transform=across, color=GREY)
+            look = {"ha": "center", "va": "bottom", "color": GREY, "fontsize": 8}
+            axes.text(place, 1.0, chains[first], transform=across, **look)
     ticks = _round_numbers(numbers)
     axes.set_xticks(ticks, [str(numbers[tick]) for tick in ticks])
     axes.margins(x=0.01)
