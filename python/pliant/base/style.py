@@ -176,7 +176,7 @@ def chain_axis(axes: Axes, numbers: np.ndarray, chains: np.ndarray, what: str = 
     for first, last in itertools.pairwise(starts):
         if len(starts) > 2 and chains[first]:
             place, across = (first + last - 1) / 2, axes.get_xaxis_transform()
-            look = {"ha": "center", "va": "bottom", "color": GREY, "fontsize": 8}
+            look: dict[str, Any] = {"ha": "center", "va": "bottom", "color": GREY, "fontsize": 8}
             axes.text(place, 1.0, chains[first], transform=across, **look)
     ticks = _round_numbers(numbers)
     axes.set_xticks(ticks, [str(numbers[tick]) for tick in ticks])

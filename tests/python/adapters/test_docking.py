@@ -49,6 +49,10 @@ def test_receptors_have_the_atoms_of_their_frames(recorded, tmp_path):
     pytest.importorskip("meeko")
     done = pliant.convert(recorded, tmp_path / "dock", to="vina", site=SITE, every=2)
     assert (done.frames, done.notes) == (2, [])
+    (tmp_path / "dock/frame-0002.pdbqt").unlink()
+    with pytest.raises(pliant.FileError, match=r"frame-0000.pdbqt: exists; --overwrite replaces"):
+        pliant.convert(recorded, tmp_path / "dock", to="vina", site=SITE, every=2)
+    pliant.convert(recorded, tmp_path / "dock", to="vina", site=SITE, every=2, overwrite=True)
     trajectory = pliant.Trajectory(recorded)
     structure = trajectory.structure
     site = site_of(structure, SITE)

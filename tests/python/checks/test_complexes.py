@@ -291,11 +291,12 @@ def test_all_of_a_complex_is_in_the_force_field(amber, name, ligands):
 
 
 @pytest.mark.long
-def test_gromacs_has_our_energy_and_runs(amber, tmp_path):
+@pytest.mark.parametrize("name", ["1hvr.pdb", "1a28.pdb.gz"])
+def test_gromacs_has_our_energy_and_runs(amber, tmp_path, name):
     pytest.importorskip("parmed")
     if shutil.which("gmx") is None:
         pytest.skip("gmx is not on the PATH")
-    found = sampled("1hvr.pdb")
+    found = sampled(name)
     for to in ("openmm", "gromacs"):
         options = ForceFieldOptions()
         export(found.model.structure, found.positions[:1], [0], tmp_path, to, options)

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from pliant._core import InputError, OptionError, PdbRecorder, Structure, select_atoms
+from pliant._core import FileError, InputError, OptionError, PdbRecorder, Structure, select_atoms
 from pliant.base.extras import late, need
 from pliant.base.new_file import check_folder, write_text
 from pliant.base.progress import progress
@@ -27,8 +27,7 @@ meeko = late("meeko")
 NEAR = 6.0  #: Angstrom, of a residue of the site from a ligand: as --around of pliant sample
 #: names that CHARMM gives to histidine's forms, which Meeko tells by their hydrogens
 CALLED = {"HSD": "HIS", "HSE": "HIS", "HSP": "HIS"}
-#: of a residue's name in a row of a PDB file; of chain, number and insertion code
-NAME, PLACE = slice(17, 20), slice(21, 27)
+NAME = slice(17, 20)  #: of a residue in a row of a PDB file
 
 
 @dataclass(frozen=True)
@@ -37,7 +36,7 @@ class Receptors:
 
     files: list[str]
     atoms: int  #: of the structure that are in each receptor
-    notes: list[str]  #: the box, and what was left out
+    notes: list[str]  #: what was left out
 
 
 def site_of(structure: Structure, words: str) -> npt.NDArray[np.int64]:
@@ -76,10 +75,14 @@ def write_receptors(
     All are superposed by the site, `words` of `site_of`, on the structure, so that box.txt, a file
     for Vina's --config, holds for each. Raises InputError where Meeko has no template
     for a residue of the site, or an atom of it is missing. What else it has none for is left out,
-    and noted.
+    and noted. Raises FileError where one of the files is there, and none is then written.
     """
     need("--to vina", "meeko")
     check_folder(Path(folder))
+    paths = [Path(folder) / f"frame-{number:04d}.pdbqt" for number in numbers]
+    paths.append(Path(folder) / "box.txt")
+    if there := [path for path in paths if path.exists() and not overwrite]:
+        raise FileError(f"{there[0]}: exists; --overwrite replaces it")
     site = site_of(structure, words)
     fit = Superposition(structure.positions[site], np.ones(len(site)))
     labels, templates = _labels(structure), meeko.ResidueChemTemplates.create_from_defaults()
@@ -91,20 +94,21 @@ def write_receptors(
             text, unknown = _receptor(rows, labels, templates)
             texts.append(text)
             lost |= unknown
-    if lost[site].any():
-        named = _named(structure, np.flatnonzero(lost & np.isin(np.arange(len(lost)), site)))
-        raise InputError(
-            f"{_source(structure)}: Meeko has no template for {named}, or atoms are missing there, "
-            "which --fill-side-chains of pliant sample adds"
-        )
-    files = [f"frame-{number:04d}.pdbqt" for number in numbers]
-    box = _box(structure.positions[site])
-    for name, text in [*zip(files, texts, strict=True), ("box.txt", box)]:
-        Path(folder).mkdir(parents=True, exist_ok=True)
-        write_text(Path(folder) / name, text, overwrite=overwrite)
+            _expect_all_of(structure, site[lost[site]])
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    for path, text in zip(paths, [*texts, _box(structure.positions[site])], strict=True):
+        write_text(path, text, overwrite=overwrite)
     notes = [f"left out: {_named(structure, np.flatnonzero(lost))}"] if lost.any() else []
-    paths = [os.fspath(Path(folder) / name) for name in [*files, "box.txt"]]
-    return Receptors(paths, int(np.count_nonzero(~lost)), notes)
+    return Receptors([*map(os.fspath, paths)], int(np.count_nonzero(~lost)), notes)
+
+
+def _expect_all_of(structure: Structure, lost: npt.NDArray[np.int64]) -> None:
+    """Raises InputError where atoms of the site are lost."""
+    if len(lost):
+        raise InputError(
+            f"{_source(structure)}: Meeko has no template for {_named(structure, lost)}, or atoms "
+            "are missing there, which --fill-side-chains of pliant sample adds"
+        )
 
 
 def _source(structure: Structure) -> str:
