@@ -11,11 +11,12 @@ from typing import Any
 from pliant.base.checked import Wanted
 
 CHARGES = ("am1-bcc", "gasteiger", "none")
-#: that systems with parameters are written for: how they are called, and what writes their files
-PROGRAMS: dict[str, tuple[str, tuple[str, ...]]] = {
-    "openmm": ("OpenMM", ("openmm",)),
-    "gromacs": ("GROMACS", ("openmm", "parmed")),
-    "amber": ("AMBER", ("openmm", "parmed")),
+#: that systems with parameters are written for: how they are called, what writes their files, and
+#: the endings of a topology and of positions
+PROGRAMS: dict[str, tuple[str, tuple[str, ...], tuple[str, str]]] = {
+    "openmm": ("OpenMM", ("openmm",), (".xml", ".pdb")),
+    "gromacs": ("GROMACS", ("openmm", "parmed"), (".top", ".gro")),
+    "amber": ("AMBER", ("openmm", "parmed"), (".prmtop", ".inpcrd")),
 }
 ONE_OF_CHARGES = Wanted(f"one of {', '.join(CHARGES)}", lambda x: x in CHARGES)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
@@ -21,6 +21,13 @@ def check_folder(folder: Path) -> None:
     """Asked before the input is read; the folder is made when there is something to write."""
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder}: is a file, expected a folder for the results")
+
+
+def expect_none(places: Iterable[str | os.PathLike[str]], overwrite: bool) -> None:
+    """Raises FileError where one of the files to write is there, before any work is done."""
+    for place in () if overwrite else places:
+        if os.path.exists(place):
+            raise FileError(f"{os.fspath(place)}: exists; --overwrite replaces it")
 
 
 class NewFile(io.FileIO):

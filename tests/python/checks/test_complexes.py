@@ -211,6 +211,8 @@ def test_openmm_runs_what_is_written(tools, complex_, tmp_path):
     found = exported(complex_, tmp_path / "md", "openmm")
     names = [file.rpartition("/")[2] for file in found.files]
     assert names == ["frame-0003.pdb", "frame-0017.pdb", "system.xml"]
+    with pytest.raises(pliant.FileError, match=r"system.xml: exists; --overwrite replaces it"):
+        exported(complex_, tmp_path / "md", "openmm")
     pdb = app.PDBFile(str(tmp_path / "md" / "frame-0017.pdb"))
     atoms = [atom.name for atom in pdb.topology.atoms()][-5:]
     assert (atoms, found.atoms) == (["C1", "H11", "H12", "H13", "H14"], 162)
@@ -220,13 +222,6 @@ def test_openmm_runs_what_is_written(tools, complex_, tmp_path):
     ours = energy_of(worker.make_system(arrays), pdb.positions)
     assert energy_of(system, pdb.positions) == pytest.approx(ours, rel=1e-6)
     assert run_a_picosecond(system, pdb.positions) < 0
-
-
-def test_files_that_are_there_are_kept(tools, complex_, tmp_path):
-    tools()
-    exported(complex_, tmp_path, "openmm")
-    with pytest.raises(pliant.FileError, match="exists"):
-        exported(complex_, tmp_path, "openmm")
 
 
 def test_amber_and_gromacs_have_the_same_energies(tools, complex_, tmp_path):

@@ -16,9 +16,9 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from pliant._core import FileError, InputError, OptionError, PdbRecorder, Structure, select_atoms
+from pliant._core import InputError, OptionError, PdbRecorder, Structure, select_atoms
 from pliant.base.extras import late, need
-from pliant.base.new_file import check_folder, write_text
+from pliant.base.new_file import check_folder, expect_none, write_text
 from pliant.base.progress import progress
 from pliant.trajectory.superposition import Superposition
 
@@ -81,8 +81,7 @@ def write_receptors(
     check_folder(Path(folder))
     paths = [Path(folder) / f"frame-{number:04d}.pdbqt" for number in numbers]
     paths.append(Path(folder) / "box.txt")
-    if there := [path for path in paths if path.exists() and not overwrite]:
-        raise FileError(f"{there[0]}: exists; --overwrite replaces it")
+    expect_none(paths, overwrite)
     site = site_of(structure, words)
     fit = Superposition(structure.positions[site], np.ones(len(site)))
     labels, templates = _labels(structure), meeko.ResidueChemTemplates.create_from_defaults()

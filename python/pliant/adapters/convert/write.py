@@ -19,6 +19,7 @@ from pliant.adapters.convert.formats import FORMATS
 from pliant.base.checked import Wanted, checked
 from pliant.base.extras import late, need
 from pliant.base.force_field_options import ONE_OF_CHARGES, PROGRAMS, USUAL, ForceFieldOptions
+from pliant.base.new_file import expect_none
 from pliant.trajectory.files import file_of
 from pliant.trajectory.frames import Moment
 from pliant.trajectory.results import SampledEnsemble
@@ -192,8 +193,7 @@ def _refuse(source: HasFrames | Molecule, output: str | os.PathLike[str], overwr
         path = source.trajectory.path
     if path and os.path.exists(path) and os.path.exists(output) and os.path.samefile(path, output):
         raise OptionError(f"{os.fspath(output)}: is both input and output")
-    if not overwrite and os.path.exists(output):
-        raise _core.FileError(f"{os.fspath(output)}: exists; --overwrite replaces it")
+    expect_none([output], overwrite)
 
 
 def _chosen(structure: _core.Structure, select: str) -> np.ndarray:

@@ -16,7 +16,7 @@ import numpy.typing as npt
 from pliant._core import InputError, Structure
 from pliant.base.extras import need
 from pliant.base.force_field_options import PROGRAMS, ForceFieldOptions
-from pliant.base.new_file import check_folder, write_bytes
+from pliant.base.new_file import check_folder, expect_none, write_bytes
 from pliant.checks.force_field.jobs import Bench, deadline_in
 from pliant.checks.force_field.minimise import Wanted
 from pliant.checks.force_field.minimised import SHORT
@@ -50,10 +50,14 @@ def export(
 
     The folder gets one topology with parameters, system.xml, system.top or system.prmtop, and
     frame-0007.pdb, .gro or .inpcrd of each frame. Raises InputError where a frame or the molecule
-    cannot be minimised, MissingPackageError for what is missing.
+    cannot be minimised, MissingPackageError for what is missing, FileError where a file is there.
     """
     need(f"--to {to}", *PROGRAMS[to][1])
     check_folder(Path(folder))
+    names = [f"frame-{number:04d}" for number in numbers]
+    of_system, of_frame = PROGRAMS[to][2]
+    written = [f"system{of_system}", *(f"{name}{of_frame}" for name in names)]
+    expect_none([Path(folder) / name for name in written], overwrite)
     place = structure.source or "the molecule"
     if reason := why_not(structure):
         raise InputError(f"{place}: the force field is for proteins: {reason}")
@@ -65,7 +69,6 @@ def export(
     bench.choose(options.platform, matched.arrays["platforms"].tolist())
     places = _minimised(bench, [molecule.complete(frame) for frame in frames], numbers)
     with tempfile.TemporaryDirectory(prefix="pliant-export-") as made:
-        names = [f"frame-{number:04d}" for number in numbers]
         (outcome,) = bench.run([_job(bench, structure, molecule, places, to, names, made)])
         if not outcome.done:
             raise InputError(f"{place}: {outcome.brief()}")

@@ -13,6 +13,7 @@ import openmm
 from openmm import app, unit
 
 from pliant.base.extras import late
+from pliant.base.force_field_options import PROGRAMS
 from pliant.base.new_file import write_text
 from pliant.checks.force_field.added import force_of
 from pliant.checks.openmm.worker import Values
@@ -20,8 +21,6 @@ from pliant.checks.openmm.worker import Values
 parmed_openmm = late("parmed.openmm")
 
 MARGIN = 1.0  #: nm, of the box around the atoms
-#: names of a topology, and of positions
-ENDINGS = {"gromacs": (".top", ".gro"), "amber": (".prmtop", ".inpcrd")}
 
 
 def named_topology(job: Values) -> app.Topology:
@@ -71,7 +70,7 @@ def _write_with_parmed(
         for atom, (radius, screen) in zip(made.atoms, radii, strict=True):
             atom.solvent_radius = radius.value_in_unit(unit.angstrom)
             atom.screen = screen
-        of_system, of_frame = ENDINGS[str(job["to"])]
+        of_system, of_frame = PROGRAMS[str(job["to"])][2]
         made.save(str(folder / f"system{of_system}"))
         for name, positions in zip(job["files"].tolist(), job["structures"], strict=True):
             made.coordinates = 10 * (positions - positions.min(axis=0) + MARGIN)

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant._core import FileError, Rigidity, contact_kinds
+from pliant._core import Rigidity, contact_kinds
 from pliant.base.console import counted
-from pliant.base.new_file import write_text
+from pliant.base.new_file import expect_none, write_text
 from pliant.report.build import Report
 from pliant.report.page.html import disclosure, sentence, table
 from pliant.report.page.page import Page, headline, methods, sections_of
@@ -49,8 +49,7 @@ def save_rigidity_page(
 ) -> None:
     """Writes the page as a whole or not at all."""
     target = Path(path)
-    if target.exists() and not overwrite:
-        raise FileError(f"{target}: exists; --overwrite replaces it")
+    expect_none([target], overwrite)
     write_text(target, rigidity_page(facts).text(), overwrite=overwrite)
 
 

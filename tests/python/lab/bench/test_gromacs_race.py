@@ -134,6 +134,7 @@ def test_the_picture_shows_the_best_precision_that_took_part(precisions):
     assert named == {"every other technique", *expected}
 
 
+@pytest.mark.long
 def test_bonds_are_whole_to_what_was_asked(measured):
     found = measured("bonds")
     assert len(found.rows) == 2 * 3 * len(found.gromacs)
@@ -150,6 +151,7 @@ def test_bonds_are_whole_to_what_was_asked(measured):
     assert not worst or np.isclose(worst[0], 1e-2, rtol=0.2)  # no more than was asked for
 
 
+@pytest.mark.long
 def test_angles_are_beyond_lincs_and_this_is_reported(measured):
     for row in measured("angles").rows:
         assert row.outcome != "whole", row
