@@ -31,12 +31,10 @@ class Coverage:
         bars = f"bars of all {self.frames} frames" if self.frames > 1 else "bars of the frame"
         if not self.md_starts:
             return bars
-        complex_ = f", with {', '.join(self.ligands)}" if self.ligands else ", the protein alone"
-        without = f"{complex_}, without {self.without}" if self.left_out else ""
-        return (
-            f"{bars}; MD starts: {counted(self.md_starts, 'frame')}"
-            f"{without or complex_ * bool(self.ligands)}"
-        )
+        alone = ", the protein alone" if self.left_out else ""
+        whole = f", with {', '.join(self.ligands)}" if self.ligands else alone
+        without = f", without {self.without}" if self.left_out else ""
+        return f"{bars}; MD starts: {counted(self.md_starts, 'frame')}{whole}{without}"
 
 
 def coverage(recording: FramesOfH5md, found: ForceFieldReport | None) -> Coverage:

@@ -17,6 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant._core import InputError, OptionError, PdbRecorder, Structure, select_atoms
+from pliant.base.console import listed
 from pliant.base.extras import late, need
 from pliant.base.new_file import check_folder, expect_none, write_text
 from pliant.base.progress import progress
@@ -47,7 +48,7 @@ def site_of(structure: Structure, words: str) -> npt.NDArray[np.int64]:
     """
     chosen = np.asarray(select_atoms(structure, words), dtype=np.int64)
     heavy = np.asarray(select_atoms(structure, "protein and not element H"), dtype=np.int64)
-    owners = np.cumsum(_is_first(structure)) - 1
+    owners = structure.residue_of
     near = heavy[np.isin(heavy, chosen)]
     if len(near) == 0 and len(chosen):
         places = structure.positions
@@ -55,7 +56,7 @@ def site_of(structure: Structure, words: str) -> npt.NDArray[np.int64]:
         near = heavy[np.array(apart) < NEAR]
     if len(near) == 0:
         raise OptionError(
-            f'--site "{words}": no residue of a protein is in it or within 6 Angstrom'
+            f'--site "{words}": no residue of a protein is in it or within {NEAR:g} Angstrom'
         )
     site: npt.NDArray[np.int64] = heavy[np.isin(owners[heavy], owners[near])]
     return site
@@ -114,14 +115,6 @@ def _source(structure: Structure) -> str:
     return structure.source or "the molecule"
 
 
-def _is_first(structure: Structure) -> npt.NDArray[np.bool_]:
-    """(N,) Whether an atom is the first of its residue."""
-    columns = (structure.chains, structure.residue_ids, structure.insertion_codes)
-    found = np.ones(len(structure), dtype=bool)
-    found[1:] = np.any([one[1:] != one[:-1] for one in columns], axis=0)
-    return found
-
-
 def _labels(structure: Structure) -> list[str]:
     """(N,) Meeko's names of residues, "A:73A", by atom. Raises InputError where two are alike."""
     columns = (structure.chains, structure.residue_ids, structure.insertion_codes)
@@ -129,9 +122,8 @@ def _labels(structure: Structure) -> list[str]:
         f"{chain.strip()[:1]}:{number}{code.strip()}"
         for chain, number, code in zip(*(one.tolist() for one in columns), strict=True)
     ]
-    (label, times), *_ = Counter(
-        labels[k] for k in np.flatnonzero(_is_first(structure))
-    ).most_common(1)
+    firsts = np.unique(structure.residue_of, return_index=True)[1]
+    (label, times), *_ = Counter(labels[k] for k in firsts).most_common(1)
     if times > 1:
         raise InputError(f"{_source(structure)}: residue {label} is there twice: name the chains")
     return labels
@@ -140,8 +132,7 @@ def _labels(structure: Structure) -> list[str]:
 def _named(structure: Structure, atoms: npt.NDArray[np.int64]) -> str:
     """Their residues, the first six."""
     labels, names = _labels(structure), structure.residue_names.tolist()
-    found = [*dict.fromkeys(f"{names[k]} {labels[k]}" for k in atoms)]
-    return ", ".join(found[:6]) + f" and {len(found) - 6} more" * (len(found) > 6)
+    return listed([*dict.fromkeys(f"{names[k]} {labels[k]}" for k in atoms)], 6)
 
 
 def _rows(structure: Structure, positions: npt.NDArray[np.float64], path: Path) -> list[str]:

@@ -105,14 +105,7 @@ def convert(
         The files cannot be read or written. `output` is then as it was before.
     """
     options = ForceFieldOptions(charges, ligands or {}, platform)
-    if to not in PROGRAMS and options != USUAL:
-        raise OptionError(f"--charges, --ligand, --platform: go with --to {', '.join(PROGRAMS)}")
-    if to is not None and superpose:
-        raise OptionError("--superpose: does not go with --to")
-    if site and to != DOCKING and representatives is None:
-        raise OptionError("--site: goes with --representatives or --to vina")
-    if to == DOCKING and not site:
-        raise OptionError("--to vina: expected --site, the residues that ligands are docked at")
+    _expect_together(to, options, superpose, site, representatives)
     if to is not None:
         chosen = _Chosen(source, select, every, representatives, site)
         if to == DOCKING:
@@ -135,6 +128,24 @@ def convert(
     frames = _frames(trajectory, atoms, chosen.numbers, superpose)
     count = write(os.fspath(output), chosen.part, frames, overwrite)
     return Converted(os.fspath(output), name, count, len(atoms))
+
+
+def _expect_together(
+    to: str | None,
+    options: ForceFieldOptions,
+    superpose: bool,
+    site: str,
+    representatives: int | None,
+) -> None:
+    """Raises OptionError for options that do not go with each other."""
+    if to not in PROGRAMS and options != USUAL:
+        raise OptionError(f"--charges, --ligand, --platform: go with --to {', '.join(PROGRAMS)}")
+    if to is not None and superpose:
+        raise OptionError("--superpose: does not go with --to")
+    if site and to != DOCKING and representatives is None:
+        raise OptionError("--site: goes with --representatives or --to vina")
+    if to == DOCKING and not site:
+        raise OptionError("--to vina: expected --site, the residues that ligands are docked at")
 
 
 class _Chosen:

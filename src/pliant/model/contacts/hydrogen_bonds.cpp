@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -93,17 +94,26 @@ class Finder {
     for (std::size_t k = 0; k < bare.atoms().size(); ++k) {
       const std::uint32_t donor = bare.atoms()[k];
       if (accepts[donor] && graph_.at(donor).size() == 2) continue;
-      std::vector<MolecularContact> bonds;
-      for (const std::uint32_t acceptor : near.at(k)) {
-        if (bare.contains(acceptor) || pairs.contains({donor, acceptor})) continue;
-        const Vec3 hydrogen = bare.hydrogen_towards(donor, at(acceptor));
-        const auto bond = bond_of(donor, MolecularContact::none, hydrogen, acceptor);
-        if (bond) bonds.push_back(*bond);
-      }
-      std::ranges::stable_sort(bonds, {}, &MolecularContact::energy);
-      bonds.resize(std::min(bonds.size(), bare.hydrogens_of(donor)));
-      found_.insert(found_.end(), bonds.begin(), bonds.end());
+      std::vector<std::uint32_t> others;
+      for (const std::uint32_t acceptor : near.at(k))
+        if (!bare.contains(acceptor) && !pairs.contains({donor, acceptor}))
+          others.push_back(acceptor);
+      add_bare_bonds_of(donor, others);
     }
+  }
+
+  /// The best, as many as it has hydrogens.
+  void add_bare_bonds_of(std::uint32_t donor, std::span<const std::uint32_t> acceptors) {
+    const BareDonors& bare = polar_.bare_donors();
+    std::vector<MolecularContact> bonds;
+    for (const std::uint32_t acceptor : acceptors) {
+      const Vec3 hydrogen = bare.hydrogen_towards(donor, at(acceptor));
+      const auto bond = bond_of(donor, MolecularContact::none, hydrogen, acceptor);
+      if (bond) bonds.push_back(*bond);
+    }
+    std::ranges::stable_sort(bonds, {}, &MolecularContact::energy);
+    bonds.resize(std::min(bonds.size(), bare.hydrogens_of(donor)));
+    found_.insert(found_.end(), bonds.begin(), bonds.end());
   }
 
   std::optional<MolecularContact> bond_of(std::uint32_t donor, std::uint32_t hydrogen, Vec3 place,
